@@ -134,11 +134,12 @@ void bindStartSignal(py::module_ & module)
 {
   py::class_<StartSignal>(module, "StartSignal", "Reads the countdown to the start of the race (std_msgs/Int32).")
     .def(
-      py::init([](const std::string & topic) {
+      py::init([](const std::string & topic, const std::string & starter) {
         ensureRos();
-        return std::make_unique<StartSignal>(topic);
+        return std::make_unique<StartSignal>(topic, starter);
       }),
-      py::arg("topic") = "/time_to_start")
+      py::arg("topic") = "/time_to_start", py::arg("starter") = "",
+      "starter: the only node whose announcements count, with the leading slash; empty: anybody's.")
     .def("seconds_left", &StartSignal::SecondsLeft, ReleaseGil(), "As last announced (s), or None. Does not block.")
     .def("has_started", &StartSignal::HasStarted, ReleaseGil(), "Whether the race is on; it stays on.");
 }

@@ -38,6 +38,16 @@ ros::M_string remappingsOf(const std::vector<std::string> & arguments)
   return remappings;
 }
 
+/// The name of the rospy half without its namespace; empty if this process has none.
+std::string rospyName()
+{
+  const auto rospy = py::module_::import("rospy");
+  const auto name = rospy.attr("core").attr("is_initialized")().cast<bool>()
+                      ? rospy.attr("get_name")().cast<std::string>()
+                      : std::string{};
+  return name.substr(name.rfind('/') + 1);
+}
+
 std::vector<std::string> commandLine()
 {
   const auto sys = py::module_::import("sys");
@@ -49,10 +59,14 @@ void ensureRos()
 {
   if (ros::isStarted()) return;
   const auto remappings = remappingsOf(commandLine());
+  const auto rospy_name = rospyName();
   {
     const py::gil_scoped_release release;
     if (!ros::isInitialized()) {
-      ros::init(remappings, "navigation_mgr", ros::init_options::NoSigintHandler | ros::init_options::AnonymousName);
+      const auto is_alone = rospy_name.empty() ? ros::init_options::AnonymousName : 0;
+      ros::init(
+        remappings, rospy_name.empty() ? "navigation_mgr" : rospy_name + "_roscpp",
+        ros::init_options::NoSigintHandler | is_alone);
     }
     if (!ros::master::check()) {
       throw f1tenth_navigation_mgr::Error{"no ROS master at " + ros::master::getURI()};

@@ -8,6 +8,7 @@ import threading
 import time
 
 import pytest
+import rosnode
 import rospy
 from drive import LIMIT, Server
 from std_msgs.msg import Int32
@@ -166,6 +167,20 @@ def test_the_start_signal_reaches_late_listeners_and_stays():
     publisher.publish(5)
     assert wait_until(lambda: signal.seconds_left() == 5)
     assert signal.has_started()
+
+
+def test_only_the_starter_starts():
+    publisher = rospy.Publisher("/time_to_start", Int32, latch=True, queue_size=10)
+    publisher.publish(0)
+    others, own = nav.StartSignal(starter="/race_starter"), nav.StartSignal(starter=rospy.get_name())
+    # Both hear it over one connection.
+    assert wait_until(own.has_started)
+    assert (others.has_started(), others.seconds_left()) == (False, None)
+
+
+def test_the_second_half_is_called_like_the_node():
+    nav.StartSignal()
+    assert wait_until(lambda: f"{rospy.get_name()}_roscpp" in rosnode.get_node_names())
 
 
 if __name__ == "__main__":

@@ -6,6 +6,12 @@
 
 namespace sim2d_lockstep
 {
+bool isParticipant(const std::string & caller, const std::string & participant)
+{
+  const std::string node = "/" + participant;
+  return caller == node || caller == node + kSecondHalf;
+}
+
 DoneLedger::DoneLedger(const std::vector<std::string> & names)
 {
   for (const auto & name : names) {

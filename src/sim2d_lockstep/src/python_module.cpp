@@ -2,8 +2,7 @@
 #include <pybind11/stl.h>
 #include <ros/init.h>
 
-#include <algorithm>
-
+#include "sim2d_lockstep/done_ledger.h"
 #include "sim2d_lockstep/participant.h"
 
 namespace py = pybind11;
@@ -11,14 +10,15 @@ using sim2d_lockstep::Participant;
 
 namespace
 {
-// A rospy process has no roscpp node yet. rospy keeps its signal handlers; the random part of the name keeps the
-// two apart at the master.
+// A rospy process has no roscpp node yet. rospy keeps its signal handlers.
 void startRoscpp(const std::string & participant)
 {
   if (!ros::isInitialized()) {
-    std::string name = participant + "_lockstep";
-    std::replace(name.begin(), name.end(), '/', '_');
-    ros::init(ros::M_string{}, name, ros::init_options::NoSigintHandler | ros::init_options::AnonymousName);
+    const auto slash = participant.rfind('/');
+    const std::string name = slash == std::string::npos ? participant : participant.substr(slash + 1);
+    const std::string space = slash == std::string::npos ? "/" : participant.substr(0, slash);
+    const ros::M_string remappings{{"__ns", space}};
+    ros::init(remappings, name + sim2d_lockstep::kSecondHalf, ros::init_options::NoSigintHandler);
   }
 }
 

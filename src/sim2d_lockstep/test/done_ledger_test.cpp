@@ -97,6 +97,16 @@ TEST(DoneLedger, FarewellCountsInTheFirstPeriodAtOnce)
   EXPECT_TRUE(ledger.allDone(ros::Time(1e9)));
 }
 
+TEST(IsParticipant, AnswersOnlyForItselfWithItsSecondHalf)
+{
+  using sim2d_lockstep::isParticipant;
+  EXPECT_TRUE(isParticipant("/robot1/race_mgr", "robot1/race_mgr"));
+  EXPECT_TRUE(isParticipant("/robot1/race_mgr_roscpp", "robot1/race_mgr"));
+  for (const auto * caller : {"robot1/race_mgr", "/race_mgr", "/robot2/race_mgr", "/robot1/race_mgr_roscpp_1", ""}) {
+    EXPECT_FALSE(isParticipant(caller, "robot1/race_mgr")) << caller;
+  }
+}
+
 int main(int argc, char ** argv)
 {
   testing::InitGoogleTest(&argc, argv);

@@ -11,7 +11,7 @@ from f1tenth_judge.scenario.interventions import InterventionKind, Permission
 from f1tenth_judge.scenario.scenario import Box, Push, Verdict
 from scenario_samples import TASKS, finished, record, rows, scenario
 
-KINDS = [*(kind.value for kind in InterventionKind), "reset_simulation"]
+KINDS = [*(kind.value for kind in InterventionKind), "reset_simulation", "sim2d/done"]
 CALLERS = ["/robot1/planner", "/planner", "/robot1", "/scenario"]
 
 

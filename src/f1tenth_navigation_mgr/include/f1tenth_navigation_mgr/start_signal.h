@@ -1,6 +1,7 @@
 #pragma once
 
 #include <ros/callback_queue.h>
+#include <ros/message_event.h>
 #include <ros/subscriber.h>
 #include <std_msgs/Int32.h>
 
@@ -16,7 +17,8 @@ namespace f1tenth_navigation_mgr
 class StartSignal
 {
 public:
-  explicit StartSignal(const std::string & topic = "/time_to_start");
+  /// @param starter  the only node whose announcements count, with the leading slash; empty: anybody's
+  explicit StartSignal(const std::string & topic = "/time_to_start", std::string starter = "");
 
   /// s, as last announced; empty before the first announcement. Does not block.
   std::optional<std::int32_t> SecondsLeft();
@@ -25,6 +27,9 @@ public:
   bool HasStarted();
 
 private:
+  void take(const ros::MessageEvent<const std_msgs::Int32> & event);
+
+  const std::string starter_;
   ros::CallbackQueue queue_;
   ros::Subscriber subscriber_;
   std::optional<std::int32_t> seconds_left_;

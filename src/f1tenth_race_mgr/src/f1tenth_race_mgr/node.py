@@ -60,7 +60,7 @@ class RaceMgr:
         load_goals(self._navigation, parameters)
         self._goals = publish_goals(self._navigation.queue)
         self._navigation.loop_mode = parameters.loop_mode
-        start_signal = StartSignal() if parameters.wait_for_start else None
+        start_signal = StartSignal(starter=parameters.starter) if parameters.wait_for_start else None
         has_started = start_signal.has_started if start_signal else lambda: True
         self._race = Race(self._navigation, has_started, StatusPublisher())
         pacing = LockstepPacing if parameters.lockstep else ClockPacing

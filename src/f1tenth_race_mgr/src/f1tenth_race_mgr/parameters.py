@@ -16,6 +16,7 @@ class Parameters:
     loop_mode: bool = False
     lockstep: bool = False
     wait_for_start: bool = True
+    starter: str = ""  # the only node that may start the race; anybody, if empty
     exit_when_done: bool = False
 
 

@@ -21,6 +21,7 @@ CHEATS = {
     "resets_everything": "reset_simulation",
     "deletes_its_car": "delete_model for robot1",
     "deletes_the_walls": "delete_model for ",
+    "answers_for_another": "sim2d/done for robot1/proxy_driver",
     "puts_something_in_the_way": "spawn_urdf_model for box",
     "puts_another_thing_in_the_way": "spawn_sdf_model for box",
 }

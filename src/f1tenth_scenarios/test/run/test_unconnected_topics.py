@@ -134,7 +134,7 @@ def test_driver_s_nodes_are_those_that_send_commands_first():
 
 def test_nodes_that_take_part_in_lockstep_for_others_are_no_drivers():
     nodes = [
-        "robot1/robot1_proxy_driver_lockstep_1795673917733307038",
+        "robot1/proxy_driver_roscpp",
         "robot1/proxy_driver",
         "robot1/wall_follow",
     ]

@@ -8,6 +8,12 @@
 
 namespace sim2d_lockstep
 {
+/// Added to the name of a Python node's roscpp half: the master would end one of two nodes with the same name.
+constexpr char kSecondHalf[] = "_roscpp";
+
+/// Whether a node, by its name with the leading slash, is this participant: nobody answers for another.
+bool isParticipant(const std::string & caller, const std::string & participant);
+
 /// The simulated time up to which each participant has acted. Stamps as in /sim2d/done.
 class DoneLedger
 {

@@ -1,6 +1,5 @@
 """Whom the simulator waits for in lockstep."""
 
-import re
 from collections.abc import Iterable
 
 from f1tenth_judge.places.packages import is_original
@@ -20,8 +19,8 @@ _BESIDE_DRIVER = (
     "map_to_odom",
     "robot_state_publisher",
 )
-# With which a Python node takes part in lockstep.
-_SECOND_NODE = re.compile(r"_lockstep_\d+$")
+# A Python node's roscpp half, with which it takes part in lockstep.
+_SECOND_HALF = "_roscpp"
 
 
 def participants(plan: Plan) -> list[str]:
@@ -62,7 +61,7 @@ def named_nodes(plan: Plan, car: str) -> set[str]:
 def driver_nodes_among(car: str, nodes: Iterable[str]) -> list[str]:
     """Those of some nodes that are the driver's of a car: all others in its namespace are ours."""
     beside = {f"{car}/{name}" for name in _BESIDE_DRIVER}
-    named = (node for node in nodes if not _SECOND_NODE.search(node))
+    named = (node for node in nodes if not node.endswith(_SECOND_HALF))
     return [node for node in named if node.startswith(f"{car}/") and node not in beside]
 
 

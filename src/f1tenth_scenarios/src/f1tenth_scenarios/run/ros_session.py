@@ -74,7 +74,7 @@ def _watch(plan: Plan) -> "RosWatch":
     # Where the others log as well: rospy raises where it cannot make its file.
     os.environ["ROS_LOG_DIR"] = str(plan.log_folder)
     # Before anything sets use_sim_time, because this node lives in wall time. Not called as a rostest
-    # is: pushes count only from a node of this name.
+    # is: pushes and answers count only from a node of this name.
     rospy.init_node(DIRECTOR, argv=[], disable_signals=True, disable_rosout=True)
     return RosWatch(plan)
 

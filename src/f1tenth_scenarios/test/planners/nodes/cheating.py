@@ -229,6 +229,11 @@ class Cheating:
         (folder / "result.json").write_text('{"verdict": "success", "passed": true}', encoding="utf-8")
         (folder / "trajectory.csv").write_text("time\n", encoding="utf-8")
 
+    def answers_for_another(self):
+        """As the participant that the simulator waits for."""
+        end = rospy.Time(2147483647)
+        self.lies = [self.tell("/sim2d/done", Header(stamp=end, frame_id="robot1/proxy_driver"))]
+
     def starts_the_race(self):
         self.lies = [self.tell("/time_to_start", Int32(0))]
 

@@ -112,7 +112,13 @@ Sim2dNode::Sim2dNode(const NodeParameters & parameters)
 
 std::unique_ptr<LockstepBarrier> Sim2dNode::makeBarrier()
 {
-  return parameters_.is_lockstep ? std::make_unique<LockstepBarrier>(node_, queue_, parameters_.lockstep) : nullptr;
+  if (!parameters_.is_lockstep) {
+    return nullptr;
+  }
+  const auto note = [this](const std::string & node, const std::string & participant) {
+    interventions_.add(simulation_.time(), {"sim2d/done", node, participant});
+  };
+  return std::make_unique<LockstepBarrier>(node_, queue_, parameters_.lockstep, note);
 }
 
 Fleet::Surroundings Sim2dNode::surroundings()

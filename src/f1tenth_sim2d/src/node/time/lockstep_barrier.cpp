@@ -1,7 +1,6 @@
 #include "node/time/lockstep_barrier.h"
 
 #include <ros/console.h>
-#include <std_msgs/Header.h>
 
 #include <algorithm>
 #include <boost/algorithm/string/join.hpp>
@@ -24,14 +23,30 @@ ParticipantSilent::ParticipantSilent(std::string participant, const std::string 
 {
 }
 
-LockstepBarrier::LockstepBarrier(ros::NodeHandle & node, ros::CallbackQueue & queue, LockstepOptions options)
-: options_(std::move(options)), queue_(queue), ledger_(options_.participants)
+LockstepBarrier::LockstepBarrier(
+  ros::NodeHandle & node, ros::CallbackQueue & queue, LockstepOptions options, Impostor on_impostor)
+: options_(std::move(options)), queue_(queue), ledger_(options_.participants), on_impostor_(std::move(on_impostor))
 {
+  using Event = ros::MessageEvent<const std_msgs::Header>;
+  const boost::function<void(const Event &)> note = [this](const Event & event) { noteDone(event); };
   // Unlimited: a lost answer would never come again, and nobody sends more than a few per period.
-  subscriber_ = node.subscribe<std_msgs::Header>(
-    "/sim2d/done", 0,
-    [this](const std_msgs::Header::ConstPtr & message) { ledger_.note(message->frame_id, message->stamp); },
-    ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
+  subscriber_ =
+    node.subscribe<const Event &>("/sim2d/done", 0, note, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
+}
+
+void LockstepBarrier::noteDone(const ros::MessageEvent<const std_msgs::Header> & event)
+{
+  const std_msgs::Header & message = *event.getConstMessage();
+  const std::string & node = event.getPublisherName();
+  const auto & names = options_.participants;
+  if (sim2d_lockstep::isParticipant(node, message.frame_id)) {
+    ledger_.note(message.frame_id, message.stamp);
+  } else if (
+    std::find(names.begin(), names.end(), message.frame_id) != names.end() &&
+    impostors_.emplace(node, message.frame_id).second) {
+    ROS_WARN("lockstep: %s answers for %s, and is not believed", node.c_str(), message.frame_id.c_str());
+    on_impostor_(node, message.frame_id);
+  }
 }
 
 void LockstepBarrier::open(SimTime end, std::int64_t number)

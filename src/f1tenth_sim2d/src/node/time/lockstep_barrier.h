@@ -1,15 +1,18 @@
 #pragma once
 
 #include <ros/callback_queue.h>
+#include <ros/message_event.h>
 #include <ros/node_handle.h>
 #include <sim2d_lockstep/done_ledger.h>
 #include <sim2d_lockstep/participant.h>
+#include <std_msgs/Header.h>
 
 #include <cstdint>
 #include <functional>
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "f1tenth_sim2d/errors.h"
@@ -51,8 +54,11 @@ public:
     std::function<void()> repeat;       ///< publishes the period again, as long as it is a first one
   };
 
+  /// Told of a node that answers for a participant that it is not.
+  using Impostor = std::function<void(const std::string & node, const std::string & participant)>;
+
   /// @param queue  served while waiting; node delivers into it, and so must the command inputs
-  LockstepBarrier(ros::NodeHandle & node, ros::CallbackQueue & queue, LockstepOptions options);
+  LockstepBarrier(ros::NodeHandle & node, ros::CallbackQueue & queue, LockstepOptions options, Impostor on_impostor);
 
   /// Answers now count for the period that ends at `end`, the `number`-th. To be called before it is published.
   void open(SimTime end, std::int64_t number);
@@ -76,6 +82,7 @@ public:
 private:
   /// @return whether the period was published again
   bool waitForAnswers(const Hooks & hooks);
+  void noteDone(const ros::MessageEvent<const std_msgs::Header> & event);
   void noteCommand(const std::string & car, const ros::Time & stamp);
   void takeSurplus();
   void settle();
@@ -86,6 +93,8 @@ private:
   ros::CallbackQueue & queue_;
   sim2d_lockstep::InboxDrain drain_;
   sim2d_lockstep::DoneLedger ledger_;
+  const Impostor on_impostor_;
+  std::set<std::pair<std::string, std::string>> impostors_;  // and for whom they answered
   ros::Subscriber subscriber_;
   std::map<std::string, int> surplus_;  // commands without a stamp by car, beyond the one in each period
   std::vector<StrayAnswer> strays_;

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Lockstep: the same run on a busy and on an idle machine, and an end when somebody falls silent."""
 
+import json
 import os
 import re
 import signal
@@ -15,7 +16,11 @@ from ackermann_msgs.msg import AckermannDriveStamped
 from gazebo_msgs.srv import GetModelState
 from rosgraph_msgs.msg import Clock
 from sensor_msgs.msg import LaserScan
-from sim2d_process import LONG, Collector, Sim2d, Stepper, car_description
+from sim2d_process import LEFT_NS, LONG, Collector, Sim2d, Stepper, car_description
+from std_msgs.msg import Header
+from workspace_support.nodes import synchronous_publisher
+
+from sim2d_lockstep import Participant
 
 SECOND = 1_000_000_000
 PERIOD = 25_000_000
@@ -235,11 +240,32 @@ class LockstepTest(unittest.TestCase):
     def test_one_who_has_left_is_not_waited_for(self):
         stepper = Stepper()
         self.addCleanup(stepper.close)
-        leaver = Stepper("leaver")
-        self.addCleanup(leaver.close)
+        leaver = Participant("leaver")
         self.start(participants=["leaver", "test"], lockstep_timeout=10.0)
         leaver.leave()
         stepper.advance_to(SECOND)
+
+    def test_nobody_answers_for_another(self):
+        stepper = Stepper()
+        self.addCleanup(stepper.close)
+        answers = synchronous_publisher("/sim2d/done", Header, latch=True)
+        self.addCleanup(answers.unregister)
+        clock = Collector(clock=Clock)
+        self.addCleanup(clock.close)
+        sim2d = self.start(participants=["other", "robot1", "test"])
+        assert clock.wait_for(lambda messages: messages["/clock"])
+        answers.publish(Header(frame_id="robot1", stamp=rospy.Time(0, LEFT_NS)))
+        assert clock.wait_for(lambda _: sim2d.interventions_file.read_text().count("\n") == 1)
+        answers.publish(Header(frame_id="other", stamp=rospy.Time(0, LEFT_NS)))
+        answers.publish(Header(frame_id="other", stamp=rospy.Time(0, LEFT_NS)))
+        assert clock.wait_for(lambda _: sim2d.interventions_file.read_text().count("\n") == 2)
+        noted = [json.loads(line) for line in sim2d.interventions_file.read_text().splitlines()]
+        told = {"time": 0.025, "kind": "sim2d/done", "caller": "/test"}
+        assert noted == [{**told, "model": "robot1"}, {**told, "model": "other"}]
+        stepper.leave()
+        seen = len(clock.messages["/clock"])
+        assert clock.wait_for(lambda messages: len(messages["/clock"]) > seen + 2)
+        assert {message.clock.to_nsec() for message in clock.messages["/clock"]} == {PERIOD}
 
     def test_clock_of_a_period_comes_once_and_in_order(self):
         stepper = Stepper()

@@ -175,13 +175,12 @@ class Driver:
 
 
 class Stepper:
-    """The lockstep participant `test`: lets the simulation advance period by period.
+    """The lockstep participant `test`, as this node is called: lets the simulation advance period by period.
 
     It stays in its first period, which it repeats for those who connect, until advance_to() is called.
     """
 
-    def __init__(self, name="test"):
-        self._name = name
+    def __init__(self):
         self._allowed = 0
         self.now = 0
         self._changed = threading.Condition()
@@ -196,7 +195,7 @@ class Stepper:
 
     def _answer(self):
         if 0 < self.now <= self._allowed:
-            header = Header(frame_id=self._name)
+            header = Header(frame_id="test")
             header.stamp = rospy.Time(0, self._allowed if self._allowed == LEFT_NS else self.now)
             self._done.publish(header)
 

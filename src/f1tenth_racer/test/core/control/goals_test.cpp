@@ -233,7 +233,6 @@ TEST_P(NavigatorAtSpeed, passesAGoalThatGetsANextOneOnTheWay)
 }
 
 INSTANTIATE_TEST_SUITE_P(
-  EverySpeed, NavigatorAtSpeed,
-  ::testing::Combine(::testing::Values(0.5, 1.0, 2.0, 4.0, 6.0, 8.0), ::testing::Bool()));
+  EverySpeed, NavigatorAtSpeed, ::testing::Combine(::testing::Values(0.5, 1.0, 2.0, 4.0, 6.0, 8.0), ::testing::Bool()));
 }  // namespace
 }  // namespace f1tenth_racer

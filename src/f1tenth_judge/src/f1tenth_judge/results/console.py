@@ -171,7 +171,7 @@ def _picture(result):
 
 def _replay(result):
     if not result.passed:
-        yield "replay", f"{replay_of(result)} (once `f1tenth report` has written it)"
+        yield "replay", f"{replay_of(result)} (of the page that --report or `f1tenth report` writes)"
 
 
 def _failed_criteria(result):

@@ -38,6 +38,7 @@ def echo(connection):
 class Habits:
     def __init__(self):
         self.count = 0
+        self.is_away = False
         self.scans = queue.Queue()
         self.changed = threading.Condition()
         self.event = threading.Event()
@@ -202,11 +203,17 @@ class Habits:
         self.thread(self.loop(wait))
 
     def hears_the_odometry_too(self):
-        def weigh(odometry):
-            self.count += odometry.pose.pose.position.x > 0.1
+        """The newest: how many of a period come through a queue of one is chance in ROS itself."""
 
-        rospy.Subscriber("odom", Odometry, weigh, queue_size=1)
-        self.on_scan = self.send
+        def note(odometry):
+            self.is_away = odometry.pose.pose.position.x > 0.1
+
+        def answer(_scan):
+            self.count += self.is_away
+            self.send()
+
+        rospy.Subscriber("odom", Odometry, note, queue_size=1)
+        self.on_scan = answer
 
 
 if __name__ == "__main__":

@@ -31,6 +31,18 @@ def test_tail_agrees_with_the_reader(tmp_path):
     assert (so_far.time, so_far.touches) == (2.0, 1)
 
 
+def test_damaged_row_is_left_out(tmp_path):
+    path = tmp_path / "record.csv"
+    so_far = SoFar(sample_plan(tmp_path, scenario()))
+    tail = RecordTail(path, so_far)
+    path.write_text(HEADER + ROW, encoding="utf-8")
+    tail.poll()
+    # Somebody has emptied it, and the simulator writes on where it was.
+    path.write_text("\0" * (len(HEADER + ROW) + 3) + ROW.replace("0.025", "0.050"), encoding="utf-8")
+    tail.poll()
+    assert so_far.time == 0.025
+
+
 def test_lines_are_handed_out_once(tmp_path):
     path = tmp_path / "log"
     path.write_text("one\ntw", encoding="utf-8")

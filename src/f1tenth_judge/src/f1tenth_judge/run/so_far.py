@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 from typing import Optional
 
+from f1tenth_judge.errors import ScenarioError
 from f1tenth_judge.judge.false_start import FirstMoves, find_false_start
 from f1tenth_judge.judge.judge import first_collision, is_decided
 from f1tenth_judge.judge.progress import TaskProgress
@@ -54,7 +55,9 @@ class SoFar:
             return False
         self._touches_judged = self.touches
         scenario, record_file = self._plan.scenario, self._plan.record_file
-        return (
-            scenario.criteria.light_touch == 0
-            or first_collision(scenario, read_record(record_file)) is not None
-        )
+        if scenario.criteria.light_touch == 0:
+            return True
+        try:
+            return first_collision(scenario, read_record(record_file)) is not None
+        except ScenarioError:
+            return True  # somebody has damaged it, which is told when the run has ended

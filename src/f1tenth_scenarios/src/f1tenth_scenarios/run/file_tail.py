@@ -1,5 +1,6 @@
 """Following files that another process is still writing."""
 
+import contextlib
 from pathlib import Path
 
 from f1tenth_judge.record.record import COLUMNS
@@ -42,7 +43,9 @@ class RecordTail:
         for line in self._tail.new_lines():
             cells = line.split(",")
             if len(cells) == len(COLUMNS) and cells[self._TIME] != COLUMNS[self._TIME]:
-                self._take(cells)
+                # A row that somebody has damaged is none; the evidence tells of it.
+                with contextlib.suppress(ValueError):
+                    self._take(cells)
 
     def _take(self, cells: list[str]) -> None:
         time, *place = (float(cells[each]) for each in (self._TIME, self._X, self._Y, self._YAW))

@@ -27,4 +27,4 @@ def column(values: ArrayLike, quantum: float) -> list[float]:
 def pack(content: Any) -> str:
     """What JSON can hold, as text."""
     text = json.dumps(content, separators=(",", ":"))
-    return base64.b64encode(zlib.compress(text.encode())).decode("ascii")
+    return base64.b64encode(zlib.compress(text.encode(), 8)).decode("ascii")

@@ -8,6 +8,7 @@ from cyclonedds.pub import DataWriter
 from cyclonedds.qos import Policy, Qos
 from cyclonedds.sub import DataReader
 from cyclonedds.topic import Topic
+from f1tenth_judge.drivers.ros2.connection import Connection
 from f1tenth_judge.drivers.ros2.isolation import domain_configuration, private_domain
 from f1tenth_judge.drivers.ros2.messages.basic import Clock
 from f1tenth_judge.drivers.ros2.quality import LATCHED, OFFERED, REQUESTED, mismatches
@@ -58,3 +59,20 @@ def test_mismatch_is_found_where_dds_finds_one(participant, requested, offered):
 )
 def test_both_sides_of_a_mismatch_are_named(requested, offered, words):
     assert mismatches(requested, offered) == [words]
+
+
+def test_reader_that_comes_while_readers_are_counted_is_counted(monkeypatch):
+    answers = [[7, 8], IndexError("invalid index")]
+
+    def matched(_writer):
+        answer = answers.pop()
+        if isinstance(answer, Exception):
+            raise answer
+        return answer
+
+    monkeypatch.setattr(DataWriter, "get_matched_subscriptions", matched)
+    with private_domain() as number:
+        connection = Connection(number)
+        connection.offer("clock", Clock, OFFERED)
+        assert connection.hearers("clock") == 2
+        connection.close()

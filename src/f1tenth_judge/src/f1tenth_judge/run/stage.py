@@ -117,13 +117,14 @@ class Stage:
         ]
 
     def look(self, car: str, eye: Eye) -> Picture:
-        """What an eye of a car sees now. The first look reads the files of all that can be seen."""
-        return Picture(*self._simulation.look(self._ids[car], eye.camera, eye.name))
+        """What an eye of a car sees now, kept small for the replay.
 
-    def show(self, car: str, eye: Eye, colour: np.ndarray) -> None:
-        """Keep what a planner has been shown of an eye, small, for the replay."""
+        The first look reads the files of all that can be seen.
+        """
+        picture = Picture(*self._simulation.look(self._ids[car], eye.camera, eye.name))
         topic = f"/{car}/{eye.camera}/{eye.name}"
-        self.said.picture(topic, self.time, lambda: small(Image.fromarray(colour)))
+        self.said.picture(topic, self.time, lambda: small(Image.fromarray(picture.colour)))
+        return picture
 
     def look_warning(self) -> str:
         """What cameras do not see as it is described; empty: nothing."""

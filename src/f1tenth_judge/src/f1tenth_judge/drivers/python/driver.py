@@ -121,9 +121,7 @@ class PythonDriver:
             self._problem = f"has asked for the eye {index}, and the car has {len(self._eyes)}"
             return
         eye = self._eyes[index]
-        picture = self._stage.look(self._car, eye)
-        self._stage.show(self._car, eye, picture.colour)
-        self._pictures.put(eye, picture)
+        self._pictures.put(eye, self._stage.look(self._car, eye))
         self._pipe.send_bytes(process.LOOK.pack(index))
         self._has_looked = True
 

@@ -65,7 +65,6 @@ class Cameras:
         if heard - {_INFO}:
             self._has_looked = True
             colour, depth = self._stage.look(self._car, eye)
-            self._stage.show(self._car, eye, colour)
             for topic, encoding, pixels in ((_COLOUR, "rgb8", colour), (_DEPTH, "32FC1", depth)):
                 if topic in heard:
                     self._connection.publish_whole(f"{name}/{topic}", _image(header, encoding, pixels))

@@ -3,8 +3,7 @@
 import dataclasses
 import queue
 import time
-from collections.abc import Callable
-from typing import Any, Optional
+from typing import Optional
 
 import rospy
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
@@ -33,6 +32,7 @@ from f1tenth_scenarios.run.diagnosis.unconnected_topics import (
 )
 from f1tenth_scenarios.run.events.director import Director
 from f1tenth_scenarios.run.ros_graph import ask, misread_by, publications_of, read_graph
+from f1tenth_scenarios.senders import heard_from, sender
 
 _PATIENCE, _LOOK_INTERVAL = 2.0, 0.005  # wall s
 _GRAPH_INTERVAL = 0.5  # wall s between two looks at who hears whom
@@ -67,21 +67,6 @@ def _time_to_load(plan: Plan) -> float:
     """Simulated time (s) for which a driver may load: none in lockstep, where time waits for it."""
     scenario = plan.scenario
     return 0.0 if scenario.lockstep else scenario.limits.load * scenario.real_time_factor
-
-
-def sender(message: Any) -> str:
-    """The node that published what was heard."""
-    return message._connection_header["callerid"].strip("/")
-
-
-def heard_from(node: str, take: Callable[[Any], None]) -> Callable[[Any], None]:
-    """A callback that takes a node's own messages: anybody may publish on its topic."""
-
-    def take_own(message):
-        if sender(message) == node:
-            take(message)
-
-    return take_own
 
 
 class RosWatch:

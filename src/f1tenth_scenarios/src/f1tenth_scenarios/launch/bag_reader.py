@@ -77,10 +77,10 @@ def _models(bag, cars: Sequence[str]) -> dict[str, Poses]:
 
 def _drawings(bag, cars: Sequence[str], kinds: Mapping[str, str], said: Said) -> None:
     frames = _Frames(bag)
-    shown = [f"/{car}/move_base/{kind}" for car in cars for kind in ("global_plan", "local_plan")]
-    for topic in sorted(_topics_of(bag, cars, kinds, KINDS)):
+    shown = {f"/{car}/move_base/{kind}" for car in cars for kind in ("global_plan", "local_plan")}
+    for topic in sorted(_topics_of(bag, cars, kinds, KINDS).keys() - shown):
         board = Board(kinds[topic], frames)
-        for now, message in _messages(bag, topic) if topic not in shown else ():
+        for now, message in _messages(bag, topic):
             board.take(message, now)
             if not said.draw(topic, now, board.shown):
                 break

@@ -167,7 +167,8 @@ def run_each(names: Sequence[str], settings: Sequence[str], options) -> int:
 
 def _run_jobs(jobs: Sequence[Job], left_out: dict[str, str], options) -> int:
     outcomes: list[Outcome] = []
-    bar = CountLine("runs" if options.seeds else "scenarios", len(jobs))
+    what = "runs" if options.seeds else "scenarios"
+    bar = CountLine(what, len(jobs))
     with StopRequest().listening() as stop:
         for outcome in run_jobs(jobs, stop, options.workers or 1):
             outcomes.append(outcome)
@@ -175,8 +176,9 @@ def _run_jobs(jobs: Sequence[Job], left_out: dict[str, str], options) -> int:
             print(f"{len(outcomes):4} of {len(jobs)}  {_line(outcome)}", flush=True)
             bar.update(outcome.exit_code == PASSED)
     bar.clear()
-    _sum_up(outcomes, left_out, len(jobs), "runs" if options.seeds else "scenarios")
-    return exit_code(len(jobs) == sum(each.exit_code == PASSED for each in outcomes), stop)
+    failed = [each for each in outcomes if each.exit_code != PASSED]
+    _sum_up(outcomes, failed, left_out, len(jobs), what)
+    return exit_code(len(outcomes) == len(jobs) and not failed, stop)
 
 
 def _line(outcome: Outcome) -> str:
@@ -213,13 +215,17 @@ def _not_applicable(names: Sequence[str], settings: Sequence[str]) -> dict[str, 
     return found
 
 
-def _sum_up(outcomes: Sequence[Outcome], left_out: dict[str, str], count: int, what: str) -> None:
-    """Those that failed in detail, and how many passed."""
-    passed = sum(each.exit_code == PASSED for each in outcomes)
-    for each in outcomes:
-        if each.exit_code != PASSED:
-            print(f"\n{each.output}", end="")
-    if passed < len(outcomes):
+def _sum_up(
+    outcomes: Sequence[Outcome],
+    failed: Sequence[Outcome],
+    left_out: dict[str, str],
+    count: int,
+    what: str,
+) -> None:
+    """Those of the outcomes that failed in detail, and how many passed."""
+    for each in failed:
+        print(f"\n{each.output}", end="")
+    if failed:
         print()
     for name, reason in left_out.items():
         print(f"{Path(name).stem:24}not applicable: {reason}")
@@ -227,4 +233,4 @@ def _sum_up(outcomes: Sequence[Outcome], left_out: dict[str, str], count: int, w
         print(cost_of_all(costs))
     others = f", {len(left_out)} not applicable" if left_out else ""
     others += f", {count - len(outcomes)} not run" if len(outcomes) < count else ""
-    print(f"{passed} of {count} {what} passed{others}")
+    print(f"{len(outcomes) - len(failed)} of {count} {what} passed{others}")

@@ -38,12 +38,9 @@ void LockstepBarrier::noteDone(const ros::MessageEvent<const std_msgs::Header> &
 {
   const std_msgs::Header & message = *event.getConstMessage();
   const std::string & node = event.getPublisherName();
-  const auto & names = options_.participants;
   if (sim2d_lockstep::isParticipant(node, message.frame_id)) {
     ledger_.note(message.frame_id, message.stamp);
-  } else if (
-    std::find(names.begin(), names.end(), message.frame_id) != names.end() &&
-    impostors_.emplace(node, message.frame_id).second) {
+  } else if (takesPart(message.frame_id) && impostors_.emplace(node, message.frame_id).second) {
     ROS_WARN("lockstep: %s answers for %s, and is not believed", node.c_str(), message.frame_id.c_str());
     on_impostor_(node, message.frame_id);
   }
@@ -62,8 +59,7 @@ void LockstepBarrier::open(SimTime end, std::int64_t number)
 
 bool LockstepBarrier::welcome(const std::string & car)
 {
-  const auto & names = options_.participants;
-  if (std::find(names.begin(), names.end(), car) != names.end()) {
+  if (takesPart(car)) {
     started_ = false;
     first_ = stamp_;
     ledger_.note(car, ros::Time());
@@ -102,12 +98,16 @@ void LockstepBarrier::takeSurplus()
   }
 }
 
-bool LockstepBarrier::hasAnswered(const std::string & participant) const
+bool LockstepBarrier::takesPart(const std::string & name) const
 {
   const auto & names = options_.participants;
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool LockstepBarrier::hasAnswered(const std::string & participant) const
+{
   const auto missing = ledger_.missing(stamp_);
-  return std::find(names.begin(), names.end(), participant) != names.end() &&
-         std::find(missing.begin(), missing.end(), participant) == missing.end();
+  return takesPart(participant) && std::find(missing.begin(), missing.end(), participant) == missing.end();
 }
 
 void LockstepBarrier::excuse(const std::string & car)

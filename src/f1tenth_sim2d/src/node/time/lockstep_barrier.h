@@ -82,6 +82,7 @@ public:
 private:
   /// @return whether the period was published again
   bool waitForAnswers(const Hooks & hooks);
+  bool takesPart(const std::string & name) const;
   void noteDone(const ros::MessageEvent<const std_msgs::Header> & event);
   void noteCommand(const std::string & car, const ros::Time & stamp);
   void takeSurplus();

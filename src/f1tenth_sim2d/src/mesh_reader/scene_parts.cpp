@@ -6,9 +6,11 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
+#include <assimp/DefaultIOSystem.h>
 #include <algorithm>
 #include <assimp/Importer.hpp>
 #include <boost/algorithm/string/replace.hpp>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -21,6 +23,29 @@ namespace
 {
 /// What Assimp calls a file that it reads from memory, without the format.
 const std::string kNameOfMemory = "$$$___magic___$$$.";
+
+/// Opens what a mesh file names beside it: an OBJ has its colours and textures in files of their own.
+class FilesBeside : public Assimp::DefaultIOSystem
+{
+public:
+  FilesBeside(const std::string & mesh, std::vector<std::string> & missing)
+  : folder_(std::filesystem::path(mesh).parent_path()), missing_(missing)
+  {
+  }
+
+  Assimp::IOStream * Open(const char * name, const char * mode) override
+  {
+    Assimp::IOStream * const file = DefaultIOSystem::Open((folder_ / name).c_str(), mode);
+    if (!file) {
+      missing_.emplace_back(name);
+    }
+    return file;
+  }
+
+private:
+  std::filesystem::path folder_;
+  std::vector<std::string> & missing_;
+};
 
 /// The geometries of a scene, put where its nodes put them.
 class PartCollector
@@ -133,6 +158,8 @@ MeshParts readParts(const std::string & path)
   Assimp::Importer importer;
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);
+  std::vector<std::string> missing;
+  importer.SetIOHandler(new FilesBeside(path, missing));  // whose owner it is
   const std::string format = path.substr(path.find_last_of('.') + 1);
   const aiScene * const scene = readScene(importer, bytesOf(path), format);
   if (!scene || !scene->mRootNode) {
@@ -140,6 +167,8 @@ MeshParts readParts(const std::string & path)
     boost::algorithm::replace_all(reason, kNameOfMemory + format, "the file");
     throw std::runtime_error("cannot be read: " + reason);
   }
-  return PartCollector(*scene).mesh;
+  MeshParts mesh = PartCollector(*scene).mesh;
+  mesh.missing = std::move(missing);
+  return mesh;
 }
 }  // namespace f1tenth_sim2d

@@ -199,6 +199,33 @@ def test_textures_are_read(tmp_path, stereo_car):
     assert right[2] > 2 * right[1]
 
 
+def board(tmp_path, stereo_car, library):
+    """The colour in the middle of a board, 3 m ahead, of an OBJ file whose materials are in this library."""
+    (tmp_path / "board.obj").write_text(
+        f"mtllib {library}\nv 0 -1 -1\nv 0 1 -1\nv 0 1 1\nv 0 -1 1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+        "usemtl paint\nf 4/4 3/3 2/2 1/1\n"
+    )
+    mesh = "<mesh><uri>board.obj</uri></mesh>"
+    simulation = in_world(tmp_path, stereo_car, visual("board", "3 0 0 0 0 0", mesh))
+    return simulation.look(0, CAMERA)[0][150, 336].astype(int), simulation.view_warning
+
+
+def test_materials_beside_a_mesh_are_read(tmp_path, stereo_car):
+    from PIL import Image
+
+    (tmp_path / "materials").mkdir()
+    Image.new("RGB", (2, 2), (0, 0, 255)).save(tmp_path / "materials" / "blue.png")
+    (tmp_path / "red.mtl").write_text("newmtl paint\nKd 1 0 0\n")
+    (tmp_path / "materials" / "blue.mtl").write_text("newmtl paint\nKd 1 1 1\nmap_Kd materials/blue.png\n")
+    for library, strongest in (("red.mtl", 0), ("materials/blue.mtl", 2)):
+        colour, warning = board(tmp_path, stereo_car, library)
+        assert warning == ""
+        assert colour[strongest] > 3 * np.delete(colour, strongest).max()
+    colour, warning = board(tmp_path, stereo_car, "lost.mtl")
+    assert "lost.mtl, which" in warning
+    assert colour.max() < 1.5 * colour.min()
+
+
 def test_a_script_that_has_changed_is_read_again(tmp_path, stereo_car):
     script = "<material><script><uri>own.material</uri><name>Own</name></script></material>"
     for time, colour in enumerate(("1 0 0", "0 1 0")):

@@ -49,6 +49,7 @@ std::string packed(const MeshParts & mesh)
 {
   std::string bytes;
   packNames(mesh.names, bytes);
+  packNames(mesh.missing, bytes);
   for (const MeshPart & part : mesh.parts) {
     packNames(part.names, bytes);
     pack(part.corners, bytes);
@@ -64,7 +65,7 @@ std::string packed(const MeshParts & mesh)
 MeshParts unpacked(const std::string & bytes)
 {
   MeshParts mesh;
-  const char * at = unpackNames(bytes.data(), mesh.names);
+  const char * at = unpackNames(unpackNames(bytes.data(), mesh.names), mesh.missing);
   while (at < bytes.data() + bytes.size()) {
     MeshPart & part = mesh.parts.emplace_back();
     at = unpack(unpack(unpackNames(at, part.names), part.corners), part.triangles);

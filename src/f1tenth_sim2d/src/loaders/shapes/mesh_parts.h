@@ -22,7 +22,8 @@ struct MeshPart
 /// What is of use in a mesh file, in its order.
 struct MeshParts
 {
-  std::vector<std::string> names;  ///< of all nodes and geometries, also of those without triangles
+  std::vector<std::string> names;    ///< of all nodes and geometries, also of those without triangles
+  std::vector<std::string> missing;  ///< files of materials that it names, as written, and that cannot be opened
   std::vector<MeshPart> parts;
 };
 

@@ -101,7 +101,11 @@ std::vector<Surface> surfacesOfMesh(
 {
   std::vector<Surface> surfaces;
   std::vector<std::shared_ptr<SurfaceMesh>> meshes;
-  for (const MeshPart & part : partsOfFile(path)->parts) {
+  const std::shared_ptr<const MeshParts> mesh = partsOfFile(path);
+  if (!given && !mesh->missing.empty()) {
+    warning = mesh->missing.front() + ", which " + path + " names, is not found: drawn in a plain colour";
+  }
+  for (const MeshPart & part : mesh->parts) {
     const bool is_wanted = selection.submesh.empty() ||
                            std::find(part.names.begin(), part.names.end(), selection.submesh) != part.names.end();
     if (is_wanted && !part.triangles.empty()) {

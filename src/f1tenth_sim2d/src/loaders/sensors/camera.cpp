@@ -98,6 +98,11 @@ Camera::Eye readEye(const Element & camera, const SensorElement & element, CarCo
   eye.pose = element.pose * readPose(camera, "").pose;
   eye.pinhole = readPinhole(camera);
   eye.noise_stddev = stddevOf(camera.child("noise"));
+  if (eye.noise_stddev > 1.0) {
+    context.warnings.add(
+      "<stddev> is " + toText(eye.noise_stddev) + " times the brightest light: nothing else is seen",
+      camera.child("noise").fileLine());
+  }
   eye.format = formatOf(camera, context);
   eye.lens = readLens(camera, element.plugin, eye.pinhole, context.warnings);
   if (eye.lens) {

@@ -305,39 +305,6 @@ TEST(LoadCar, TakesAnSdfModel)
   EXPECT_TRUE(car.joints.empty());
 }
 
-TEST(LoadCarWarnings, SayWhichFrameACameraTakes)
-{
-  const std::vector<std::string> expected{
-    "test.urdf:234: robot[small_car]/gazebo[base_link]/sensor[camera]/plugin[camera_plugin]: has no <frameName>: taken "
-    "as 'world', as in gazebo_ros"};
-  EXPECT_EQ(load(smallCar()).warnings, expected);
-}
-
-TEST(LoadCarWarnings, NameTagsOfACameraThatSayAnotherLens)
-{
-  const std::string lens = "<camera><distortion><k1>-0.1</k1><center>0.4 0.5</center></distortion>";
-  const CarDescription car = load(smallCarWith("<camera>", lens));
-  ASSERT_EQ(car.warnings.size(), 3u);
-  EXPECT_NE(car.warnings[0].find("<center> 0.4 0.5 of the lens is left out"), std::string::npos);
-  EXPECT_NE(car.warnings[1].find("camera_info tells another lens"), std::string::npos);
-  EXPECT_EQ(load(smallCarWith("<camera>", "<camera><distortion/>")).warnings.size(), 1u);
-}
-
-TEST(LoadCarWarnings, NameACameraWhoseLensIsAbsurd)
-{
-  const CarDescription car = load(smallCarWith("<camera>", "<camera><distortion><k1>1e9</k1></distortion>"));
-  ASSERT_EQ(car.warnings.size(), 1u);
-  EXPECT_NE(car.warnings[0].find("<k1> is 1e+09, allowed are -10000 to 10000"), std::string::npos);
-}
-
-TEST(LoadCarWarnings, NameACameraThatIsLeftOut)
-{
-  const CarDescription car = load(smallCarWith("<horizontal_fov>1.5", "<horizontal_fov>7"));
-  ASSERT_EQ(car.warnings.size(), 1u);
-  EXPECT_NE(car.warnings[0].find("a camera is left out"), std::string::npos);
-  EXPECT_NE(car.warnings[0].find("<horizontal_fov> is 7, allowed are 0.01 to 3.1"), std::string::npos);
-}
-
 TEST(LoadCarWarnings, NameWheelsThatTurnAboutAnotherAxisAndWhatSteersThem)
 {
   const std::string front = "joint 'front_left_";

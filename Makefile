@@ -92,8 +92,9 @@ $(CONFIGURED): $(PACKAGES) CMakeLists.txt $(wildcard cmake/*) $(wildcard setup/*
 build: installed $(CONFIGURED) ## build the workspace
 	@cmake --build $(BUILD_DIR) -j $(JOBS) -- --no-print-directory
 
-# Without a planner, ours drives from goal to goal.
-RACE = $(if $(PLANNER),race "$(CIRCUIT)" --planner "$(PLANNER)" --laps $(LAPS),run "$(CIRCUIT)") $(addprefix --interface ,$(INTERFACE))
+# Without a planner, ours drives: a circuit from goal to goal, another place for laps.
+OURS = $(if $(filter %_map.yaml %.world %.sdf,$(CIRCUIT)),race)
+RACE = $(if $(or $(PLANNER),$(OURS)),race "$(CIRCUIT)" --planner "$(or $(PLANNER),race)" --laps $(LAPS),run "$(CIRCUIT)") $(addprefix --interface ,$(INTERFACE))
 
 # A planner of somebody else may lie in an overlay that has been sourced: --extend leaves it there.
 judged: EXTEND = $(if $(PLANNER),--extend)

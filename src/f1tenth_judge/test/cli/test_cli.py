@@ -88,7 +88,7 @@ def test_nothing_runs_if_one_of_several_is_unknown(capsys):
     ],
 )
 def test_files_beside_the_scenario_are_looked_up(tmp_path, old, new, answer):
-    (tmp_path / "my.world").touch()
+    (tmp_path / "my.world").write_text("<sdf/>", encoding="utf-8")
     (tmp_path / "bad.txt").write_text("1 2\n", encoding="utf-8")
     path = tmp_path / "sample.yaml"
     path.write_text(SCENARIO_TEXT.replace(old, new), encoding="utf-8")

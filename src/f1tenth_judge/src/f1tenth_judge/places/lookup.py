@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Optional
 
 from f1tenth_judge.errors import ScenarioError
+from f1tenth_judge.places.file_kind import is_place, why_no_place
 from f1tenth_judge.places.packages import exports, in_package, package_path
 
 PACKAGE = "f1tenth_scenarios"
@@ -50,6 +51,7 @@ def scenario_file(name: str) -> Path:
     # Its stem becomes the name of a folder, and that of '...yaml' would be the folder above.
     if not (path.stem[0].isalnum() or path.stem[0] == "_"):
         raise ScenarioError(f"{path}: the name of a scenario file must begin with a letter or a digit")
+    _refuse_place(path)
     return path
 
 
@@ -57,24 +59,34 @@ def _scenario(name: str) -> Path:
     for kind in _SCENARIOS:
         with contextlib.suppress(ScenarioError):
             return _named(kind, name)
+    _refuse_place(Path(name))
     raise ScenarioError(f"no scenario '{name}'; there are: {', '.join(scenario_names())}")
+
+
+def _refuse_place(path: Path) -> None:
+    if _is_file(path) and is_place(path):
+        raise ScenarioError(f"{path} is a place, not a scenario: `f1tenth race {path}`")
 
 
 def world_file(name: str, beside: Path) -> Path:
     """The file of a world, or a map that is used as one; a path is relative to the folder `beside`.
 
     Raises:
-        ScenarioError: there is none; for a folder or another file of a track, the message names its map.
+        ScenarioError: there is none, or it is something else; for a folder or another file of a track, the
+            message names its map.
     """
     path = (beside / name).resolve()
     if path.suffix in _BESIDE_MAPS:
         raise ScenarioError(f"{path} is no world; {_maps_in(path.parent)}")
     try:
-        return _find("worlds", name, beside)
+        found = _find("worlds", name, beside)
     except ScenarioError:
         if path.is_dir():
             raise ScenarioError(f"{path} is no world; {_maps_in(path)}") from None
         raise
+    if problem := why_no_place(found):
+        raise ScenarioError(f"{found} {problem}")
+    return found
 
 
 def _maps_in(folder: Path) -> str:

@@ -72,6 +72,29 @@ def test_lap_is_counted_only_if_it_was_driven_all_around(tmp_path, way):
     assert len(times_of_laps(line, driven(tmp_path, places), 0.0, gates_after(course, line))) == laps
 
 
+def square(half, start):
+    """Places on a square about the origin, 0.1 m apart, counter-clockwise, beginning `start` m after a corner."""
+    corners = [(half, -half), (half, half), (-half, half), (-half, -half), (half, -half)]
+    sides = [straight(*ends, step=0.1)[:-1] for ends in itertools.pairwise(corners)]
+    places = [place for side in sides for place in side]
+    return places[round(10 * start) :] + places[: round(10 * start)]
+
+
+@pytest.mark.parametrize("start", range(3, 10))
+def test_lap_along_the_inner_edge_of_sharp_corners_is_counted(tmp_path, start):
+    width = 1.7
+    places = square(10.0, start)
+    course = Course(*np.transpose(places), np.full(len(places), width), np.full(len(places), width))
+    line = line_across(course, Pose(*places[1], math.pi / 2))
+    gates = gates_after(course, line)
+    assert len(gates) > 8
+    inner = square(10.0 - width + 0.1, start - 1.0)
+    track = driven(tmp_path, inner + inner[:20])
+    assert len(times_of_laps(line, track, 0.0, gates)) == 1
+    cut = [each for each in inner if each[0] > 0.0 or each[1] > 0.0] + inner[:20]
+    assert times_of_laps(line, driven(tmp_path, cut), 0.0, gates) == []
+
+
 def test_race_against_the_centreline_has_its_gates_in_its_own_order(tmp_path):
     course = ring(backwards=True)
     line = line_across(course, Pose(0.0, -RADIUS, 0.0))

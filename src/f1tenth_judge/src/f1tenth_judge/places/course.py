@@ -47,6 +47,11 @@ class Course:
         excess = 1 - min(1.0, max(width - margin, 0.0) / max(distance, 1e-9))
         return x - excess * off_x, y - excess * off_y
 
+    def nearest(self, x: float, y: float) -> tuple[float, float]:
+        """The place of the centreline that is nearest to a point, m."""
+        _, _, off_x, off_y = self._foot(x, y)
+        return x - off_x, y - off_y
+
     def widths(self, x: float, y: float) -> tuple[float, float]:
         """How far the road reaches to the right and to the left of the centreline where it is nearest, m."""
         index, part, _, _ = self._foot(x, y)

@@ -100,7 +100,20 @@ def gates_after(course: Course, line: StartLine) -> tuple[StartLine, ...]:
     count = max(_LEAST_GATES, math.ceil(course.length / _GATE_DISTANCE))
     ways = (course.length * number / count for number in range(1, count))
     poses = (Pose(*course.ahead_of(line.x, line.y, line.yaw, way)) for way in ways)
-    return tuple(_line(pose, *(width + _GATE_MARGIN for width in _widths(course, pose))) for pose in poses)
+    return tuple(
+        _line(pose, *(width + _GATE_MARGIN for width in _widths(course, pose)))
+        for pose in poses
+        if _divides_road(course, pose)
+    )
+
+
+def _divides_road(course: Course, pose: Pose) -> bool:
+    """Whether the road has to cross a line at a pose: at a sharp corner it leads around the line's inner end."""
+    right, left = _widths(course, pose)
+    edges = (
+        (pose.x - aside * math.sin(pose.yaw), pose.y + aside * math.cos(pose.yaw)) for aside in (-right, left)
+    )
+    return all(math.dist(course.nearest(*edge), (pose.x, pose.y)) < _GATE_MARGIN for edge in edges)
 
 
 def _widths(course: Course, pose: Pose) -> tuple[float, float]:

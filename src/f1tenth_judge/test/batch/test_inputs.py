@@ -70,6 +70,60 @@ def test_what_a_planner_of_no_package_reads_changes_the_hash(scenario, name):
     assert hashed(scenario) != before
 
 
+@pytest.fixture
+def planners(scenario):
+    """A scenario whose car is driven by a class, beside which others and their outputs lie."""
+    folder = scenario / "mine"
+    (folder / "control" / "gains").mkdir(parents=True)
+    (folder / "planner.py").write_text(
+        "import numpy\nfrom helper import limits\n\nimport control.speed\n\nopen(f'{__file__}_line.csv')\n"
+    )
+    for name in ("helper", "limits", "other", "control/__init__", "control/unused"):
+        (folder / f"{name}.py").touch()
+    (folder / "control" / "speed.py").write_text("from .gains import gain\n")
+    (folder / "control" / "gains" / "__init__.py").write_text("import limits\n")
+    for name in ("control/gains/gain.py", "my_line.csv", "cup.yaml", "out.log", "output"):
+        (folder / name).touch()
+    file = scenario / "own.yaml"
+    text = file.read_text(encoding="utf-8")
+    first, second = text.index("  - {name: robot1"), text.index("limits:")
+    car = "  - {name: robot1, laps: 1, driver: {python: 'mine/planner.py:Mine'}}\n"
+    file.write_text(text[:first] + car + text[second:])
+    return scenario
+
+
+USED = ["planner.py", "helper.py", "limits.py", "control/speed.py", "control/gains/gain.py", "my_line.csv"]
+
+
+@pytest.mark.parametrize(
+    ("name", "counts"),
+    [
+        *((name, True) for name in USED),
+        *((name, False) for name in ("other.py", "control/unused.py", "cup.yaml", "out.log", "output")),
+    ],
+)
+def test_of_what_lies_beside_a_class_only_what_it_uses_changes_the_hash(planners, name, counts):
+    before = hashed(planners)
+    (planners / "mine" / name).write_text("# more\n", encoding="utf-8")
+    assert (hashed(planners) != before) == counts
+
+
+def test_a_class_that_cannot_be_parsed_changes_the_hash(planners):
+    before = hashed(planners)
+    (planners / "mine" / "planner.py").write_text("class Mine(\n", encoding="utf-8")
+    assert hashed(planners) != before
+
+
+def test_what_a_command_prints_beside_a_launch_file_does_not_change_the_hash(scenario):
+    (scenario / "my.launch").write_text("<launch/>", encoding="utf-8")
+    file = scenario / "own.yaml"
+    text = file.read_text(encoding="utf-8")
+    file.write_text(text.replace("pursuit, line: ./line.csv", "{launch: my.launch}"), encoding="utf-8")
+    before = hashed(scenario)
+    (scenario / "out.log").write_text("one more line\n", encoding="utf-8")
+    assert hashed(scenario) == before
+
+
 def test_file_that_a_planner_is_told_of_by_its_path_changes_the_hash(scenario, tmp_path_factory):
     file = tmp_path_factory.mktemp("elsewhere") / "line.csv"
     file.touch()

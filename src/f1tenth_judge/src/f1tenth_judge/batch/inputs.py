@@ -3,6 +3,7 @@
 import contextlib
 import dataclasses
 import hashlib
+import modulefinder
 import os
 from collections.abc import Iterable, Iterator
 from pathlib import Path
@@ -18,7 +19,7 @@ from f1tenth_judge.plan.plan import Plan
 # Where the system's packages put theirs; elsewhere below /opt and /usr a workspace may be.
 _INSTALLED = ("/opt/ros", "/usr/share", "/usr/lib")
 _IRRELEVANT_FOLDERS = ("__pycache__", "test", "docs")
-_IRRELEVANT_SUFFIXES = (".md", ".rst", ".pyc")
+_IRRELEVANT_SUFFIXES = (".md", ".rst", ".pyc", ".log")
 
 
 def hash_software() -> str:
@@ -73,12 +74,27 @@ def _images(plan: Plan) -> list[Path]:
 
 
 def _driver_files(plan: Plan) -> Iterator[Path]:
-    """Files that drivers are told of, and those beside their launch files, which may be in no package."""
+    """Files that drivers are told of, and those beside them that they may use."""
     for car in plan.scenario.cars:
         yield from (Path(text) for text in given_arguments(plan, car).values() if text.startswith("/"))
+        driver = plan.cars[car.name].driver
         # Not what is in folders below it: results may be there.
-        beside = plan.cars[car.name].driver.folder.iterdir()
-        yield from (file for file in beside if not file.name.endswith(_IRRELEVANT_SUFFIXES))
+        beside = [file for file in driver.folder.iterdir() if not file.name.endswith(_IRRELEVANT_SUFFIXES)]
+        yield from _used(driver.path, beside) if car.driver.python else beside
+
+
+def _used(file: Path, beside: Iterable[Path]) -> Iterator[Path]:
+    """A file of Python, what it imports from its folder, and those data beside it of whose kind the code speaks.
+
+    In the folder of a league are many planners, and its own file; none of the others is a reason to race this one again.
+    """
+    finder = modulefinder.ModuleFinder([str(file.parent)])
+    with contextlib.suppress(SyntaxError, OSError):
+        finder.run_script(str(file))
+    modules = {file, *(Path(each.__file__) for each in finder.modules.values() if each.__file__)}
+    text = "".join(each.read_text(encoding="utf-8", errors="replace") for each in modules)
+    yield from modules
+    yield from (each for each in beside if each.suffix != ".py" and (each.suffix or each.name) in text)
 
 
 def _hash_files(files: Iterable[Path]) -> str:

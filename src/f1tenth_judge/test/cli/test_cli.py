@@ -1,5 +1,6 @@
 """The command `scenario`."""
 
+import argparse
 import io
 import os
 import re
@@ -7,6 +8,7 @@ import subprocess
 import sys
 
 import pytest
+from f1tenth_judge.cli.parser import make_parser
 from f1tenth_judge.errors import ScenarioError
 from f1tenth_judge.places import lookup
 from f1tenth_judge.plan.planning import make_plan
@@ -175,7 +177,6 @@ def test_watch_is_the_option_of_the_command_that_follows(capsys):
             ["run", "circuit1", "--ros2", "x", "--planner", "race"],
             "--ros2 is given beside --planner; one planner drives in all scenarios",
         ),
-        (["run", "circuit1", "--repeat", "2", "--bag"], "--bag is not for --repeat"),
         (["run", "circuit1", "--repeat", "2", "--report"], "--report is not for --repeat"),
         (
             ["run", "circuit1", "circuit2", "circuit1"],
@@ -227,3 +228,55 @@ leave(130)
         [sys.executable, "-c", program], stdout=subprocess.PIPE, text=True, timeout=PATIENCE
     )
     assert (ended.returncode, ended.stdout) == (130, "said\n")
+
+
+def subcommands():
+    parser = make_parser("f1tenth")
+    return next(each for each in parser._actions if isinstance(each, argparse._SubParsersAction)).choices
+
+
+DRIVE = ("run", "race", "sweep", "suite", "league")
+DRIVING = {
+    "--planner": "LAUNCH", "--ros2": "COMMAND", "--interface": None, "--arg": "NAME:=VALUE",
+    "--set": "KEY=VALUE", "--seeds": "A:B", "--repeat": "N", "--jobs": "N",
+    "--bag": None, "--watch": None, "--results": "FOLDER",
+}  # fmt: skip
+
+
+def test_every_command_is_known_to_drive_or_not_to():
+    watched = {"watch", "verify"}  # the words of another command; a run of a result again, as it was
+    show = {"list", "keys", "check", "compare", "report", "export", "reference"}
+    assert set(subcommands()) == {*DRIVE, *watched, *show}
+
+
+@pytest.mark.parametrize("option", DRIVING)
+@pytest.mark.parametrize("command", DRIVE)
+def test_options_of_driving_are_the_same_in_every_command(command, option):
+    action = subcommands()[command]._option_string_actions[option]
+    assert action.metavar == DRIVING[option]
+    others = {subcommands()[each]._option_string_actions[option].dest for each in DRIVE}
+    assert others == {action.dest}
+
+
+@pytest.mark.parametrize("option", ["--set", "--seeds", "--repeat", "--bag", "--watch"])
+def test_the_same_is_said_of_an_option_everywhere(option):
+    assert len({subcommands()[each]._option_string_actions[option].help for each in DRIVE}) == 1
+
+
+@pytest.mark.parametrize("command", [each for each in DRIVE if each != "league"])
+@pytest.mark.parametrize(
+    ("options", "answer"),
+    [
+        (["--jobs", "0"], "--jobs is 0, must be at least 1"),
+        (["--repeat", "1"], "at least 2"),
+        (["--planner", "none.launch"], "--planner none.launch: no such file: "),
+        (["--seeds", "a"], "--seeds a: found 'a', must be a seed, a whole number"),
+        (["--set", "colour=red"], "unknown key 'colour'"),
+        (["--arg", "a:=1"], "--arg is for a --planner"),
+    ],
+)
+def test_an_option_that_is_wrong_is_answered_by_every_command(capsys, tmp_path, command, options, answer):
+    what = {"sweep": ["circuit3", "--vary", "mu=1"], "suite": ["pace", "--cases", "circuit1"]}
+    arguments = [command, *what.get(command, ["circuit3"]), *options, "--results", str(tmp_path)]
+    assert cli.main(arguments) == 2
+    assert answer in capsys.readouterr().err

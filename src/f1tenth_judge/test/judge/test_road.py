@@ -73,7 +73,7 @@ def test_lap_is_counted_only_if_it_was_driven_all_around(tmp_path, way):
 
 
 def square(half, start):
-    """Places on a square about the origin, 0.1 m apart, counter-clockwise, beginning `start` m after a corner."""
+    """Places on a square about the origin, 0.1 m apart, the first one `start` m after a corner."""
     corners = [(half, -half), (half, half), (-half, half), (-half, -half), (half, -half)]
     sides = [straight(*ends, step=0.1)[:-1] for ends in itertools.pairwise(corners)]
     places = [place for side in sides for place in side]

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 from f1tenth_judge.league.league_file import read_league
+from f1tenth_judge.league.page import league_page
 from f1tenth_judge.league.races import Meeting, meetings
 from f1tenth_judge.league.standings import standings
 
@@ -38,6 +39,9 @@ def test_every_planner_races_at_every_place_once_and_is_ranked_on_a_page(file, p
     page = (file.parent / "league" / "cup" / "index.html").read_text()
     assert '<a href="report.html#two-circuit3-1">two</a>' in page
     assert "<td>10.000 s</td>" in page
+    assert f"<td>{CLASSES}:Follower</td>" in page
+    assert "no result" not in page
+    assert "<th>won</th>" not in page
     assert (file.parent / "league" / "cup" / "report.html").is_file()
     assert run(file) == 0
     assert sorted(program.runs()) == races
@@ -52,6 +56,33 @@ def test_a_run_that_broke_down_is_no_try_and_is_run_again(file, program, capsys)
     program.path.write_text(text)
     assert run(file) == 0
     assert len(program.runs()) == 8
+
+
+def test_the_page_tells_what_is_missing(file, program):
+    file.write_text(f"{TEXT}seeds: [1, 13]\n")  # the second of which is bad luck
+    assert run(file) == 1
+    page = (file.parent / "league" / "cup" / "index.html").read_text()
+    assert "<p>4 races have no result.</p>" in page
+
+
+def test_the_page_tells_who_won_where_pairs_race(file):
+    file.write_text(f"{TEXT}pairs: true\n")
+    league = read_league(file)
+    assert "<th>won</th>" in league_page("League", league, standings(league, {}), {}, {})
+
+
+def test_one_more_planner_takes_part_with_the_seeds_of_the_command(file, program, capsys, monkeypatch):
+    monkeypatch.chdir(CLASSES.parent)
+    more = ["--planner", f"{CLASSES.name}:Follower", "--seeds", "2:3", "--repeat", "2"]
+    run(file, *more, "--jobs", "4")
+    assert len(program.runs()) == 3 * 2 * 2 * 2
+    assert {"Follower-circuit1-2", "Follower-circuit1-3,repeat=2"} <= set(program.runs())
+    assert "repeated:          2 times each, 12 of 12 repeatable\n" in capsys.readouterr().out
+
+
+def test_a_command_of_ros2_takes_part(file):
+    file.write_text(TEXT.replace("two, planner", "two, ros2").replace(f"{CLASSES}:Pursuer", "my_node"))
+    assert read_league(file).planners[1].driver(file.parent).ros2 == "my_node"
 
 
 def test_pairs_meet_once_at_each_place(file):
@@ -89,6 +120,11 @@ def test_who_finishes_most_is_before_who_is_fastest(file):
     [
         ("name: two", "name: one", "cup.yaml:3: planners has one twice: one, one"),
         ("name: two", "name: t-o", "name is 't-o', must be of letters, digits and '_'"),
+        (
+            "name: two, planner",
+            "name: two, ros2: a, planner",
+            "planner or 'ros2' must be given, and not both",
+        ),
         ("[circuit1, circuit3]", "[]", "places is empty; at least one is needed"),
         ("circuit3", "circuit9", "no world 'circuit9'; there are: circuit1, "),
         ("circuit3", "a/b_map.yaml", "no such file: {folder}/a/b_map.yaml"),
@@ -100,4 +136,12 @@ def test_what_is_wrong_is_said_before_anything_runs(file, program, capsys, old, 
     file.write_text(TEXT.replace(old, new))
     assert run(file) == 2
     assert problem.format(folder=file.parent) in capsys.readouterr().err
+    assert program.runs() == []
+
+
+def test_a_planner_of_the_command_needs_a_name_of_its_own(file, program, capsys):
+    file.write_text(TEXT.replace("name: one", "name: Follower"))
+    assert run(file, "--planner", f"{CLASSES}:Follower") == 2
+    expected = f"{file}: with the options: planners has one twice: Follower, two, Follower"
+    assert expected in capsys.readouterr().err
     assert program.runs() == []

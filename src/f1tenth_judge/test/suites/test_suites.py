@@ -1,5 +1,6 @@
 """Suites: their cases, the places that they make, and the command; most runs are made up."""
 
+import re
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
@@ -156,6 +157,8 @@ def test_the_worst_case_is_shown_first():
     assert [each["case"] for each in scorecard.worst_first(rows)] == ["hit", "near", "good"]
     lines = scorecard.scorecard(rows).splitlines()
     assert [line.split()[0] for line in lines] == ["case", "hit", "near", "good"]
+    even = [row("b", passed=False, clearance=1e-5), row("a", passed=False, clearance=1e-4)]
+    assert [each["case"] for each in scorecard.worst_first(even)] == ["a", "b"]
     many = [row(f"good{i}") for i in range(30)] + [row(f"hit{i}", passed=False) for i in range(12)]
     assert sum("hit" in line for line in scorecard.scorecard(many).splitlines()) == 12
 
@@ -169,6 +172,9 @@ def test_a_suite_is_run_counted_and_not_run_again(program, tmp_path, capsys):
     folder = results / "suite" / "safety"
     page = (folder / "index.html").read_text()
     assert '<a href="report.html#late_tf_1">late_tf_1</a>' in page
+    linked = re.findall(r'<a href="([a-z.]+)">', page)
+    assert linked
+    assert all((folder / each).is_file() for each in linked)
     assert "<td>planner</td><td>race (launch file)</td>" in page
     assert (folder / "report.html").is_file()
     cases = ElementTree.parse(folder / "junit.xml").getroot().iter("testcase")
@@ -185,6 +191,24 @@ def test_each_case_is_run_with_each_of_several_seeds(program, tmp_path, capsys):
     assert cli.main([*arguments, "--results", str(tmp_path)]) == 1
     assert "passed:            2 of 4 (50%" in capsys.readouterr().out
     assert sorted(program.runs())[:2] == ["late_tf_1,seed=2", "late_tf_1,seed=3"]
+
+
+def test_cases_are_repeated_and_counted_once(program, tmp_path, capsys):
+    arguments = ["suite", "safety", "--cases", "late_tf_1,missing_scan_8", "--repeat", "3", "--jobs", "4"]
+    assert cli.main([*arguments, "--results", str(tmp_path)]) == 0
+    out = capsys.readouterr().out
+    assert "repeated:          3 times each, 2 of 2 repeatable\n" in out
+    assert "passed:            2 of 2 (100%" in out
+    assert sorted(program.runs())[:3] == ["late_tf_1", "late_tf_1,repeat=2", "late_tf_1,repeat=3"]
+
+
+def test_a_case_that_differs_when_it_is_repeated_is_named(program, tmp_path, capsys):
+    program.drifts()
+    arguments = ["suite", "safety", "--cases", "late_tf_1", "--repeat", "2", "--results", str(tmp_path)]
+    assert cli.main(arguments) == 1
+    out, err = capsys.readouterr()
+    assert "passed:            1 of 1 (100%" in out
+    assert "late_tf_1: not repeatable: trajectories: 2 different ones: does the planner ask the wall " in err
 
 
 def test_cases_that_fail_are_the_exit_code(program, tmp_path, capsys):
@@ -214,6 +238,7 @@ def test_suites_are_listed(capsys):
     [
         (["labs", "--cases", "slalom"], "--cases slalom: found 'slalom', allowed: emergency_braking, "),
         (["safety", "--workers", "0"], "--jobs is 0, must be at least 1"),
+        (["safety", "--repeat", "1"], "--repeat is 1, must be at least 2"),
         (
             ["safety", "--cases", "scan"],
             "--cases scan: found 'scan', allowed: missing_scan_1, ",

@@ -84,7 +84,6 @@ class TestRepeat:
         ("options", "answer"),
         [
             (["--repeat", "1"], "--repeat is for one scenario, and at least 2 times"),
-            (["--repeat", "2", "--bag"], "--bag is not for --repeat"),
             (["--repeat", "2", "--attach"], "--attach is not for --repeat"),
             (["--repeat", "2", "--save", "a.yaml"], "--save is not for --repeat"),
         ],

@@ -84,14 +84,15 @@ def _driver_files(plan: Plan) -> Iterator[Path]:
 
 
 def _used(file: Path, beside: Iterable[Path]) -> Iterator[Path]:
-    """A file of Python, what it imports from its folder, and those data beside it of whose kind the code speaks.
+    """A Python file, what it imports from its folder, and data files there of kinds that the code names.
 
-    In the folder of a league are many planners, and its own file; none of the others is a reason to race this one again.
+    Other planners in the folder, and the file of their league, are no reason to race this one again.
     """
     finder = modulefinder.ModuleFinder([str(file.parent)])
     with contextlib.suppress(SyntaxError, OSError):
         finder.run_script(str(file))
-    modules = {file, *(Path(each.__file__) for each in finder.modules.values() if each.__file__)}
+    found = (getattr(each, "__file__", None) for each in finder.modules.values())
+    modules = {file, *map(Path, filter(None, found))}
     text = "".join(each.read_text(encoding="utf-8", errors="replace") for each in modules)
     yield from modules
     yield from (each for each in beside if each.suffix != ".py" and (each.suffix or each.name) in text)

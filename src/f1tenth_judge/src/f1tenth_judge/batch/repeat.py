@@ -15,7 +15,13 @@ _WHY = ": does the planner ask the wall clock, or draw random numbers without a 
 
 
 def repeat(
-    name: str, count: int, results: Path, settings: Sequence[str], stop: StopRequest, at_once: int = 1
+    name: str,
+    count: int,
+    results: Path,
+    settings: Sequence[str],
+    stop: StopRequest,
+    at_once: int = 1,
+    bag: bool = False,
 ) -> bool:
     """Run a scenario `count` times and print how much the results differ.
 
@@ -27,8 +33,10 @@ def repeat(
     """
     plan = make_plan(name, settings=settings)
     folder = results / "repeat" / plan.name
+    options = ("--bag",) if bag else ()
     jobs = [
-        Job(str(plan.file), tuple(settings), str(folder / f"{number:03}")) for number in range(1, count + 1)
+        Job(str(plan.file), tuple(settings), str(folder / f"{number:03}"), options)
+        for number in range(1, count + 1)
     ]
     bar = CountLine(f"{plan.name} repeated", count)
     found: list[dict[str, Any]] = []
@@ -80,10 +88,15 @@ def _in_lockstep(results):
 
 def is_steady(results: Sequence[dict[str, Any]]) -> bool:
     """Whether every run passed with the same verdict; in lockstep with the same trajectory as well."""
-    same = ["verdict", "trajectory_hash"] if _in_lockstep(results) else ["verdict"]
-    return all(result["passed"] for result in results) and all(
-        len({result[name] for result in results}) == 1 for name in same
-    )
+    return all(result["passed"] for result in results) and not difference(results)
+
+
+def difference(results: Sequence[dict[str, Any]]) -> str:
+    """How runs of the same inputs differ though they should not; empty if they do not."""
+    if _in_lockstep(results) and len({result["trajectory_hash"] for result in results}) > 1:
+        return f"trajectories: {_trajectories(results)}"
+    verdicts = {result["verdict"] for result in results}
+    return f"verdicts: {', '.join(sorted(verdicts))}" if len(verdicts) > 1 else ""
 
 
 def _range(values, unit):

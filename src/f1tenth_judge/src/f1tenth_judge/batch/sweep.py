@@ -10,6 +10,7 @@ from typing import Any, Optional
 from f1tenth_judge.batch.cluster import run_on_cluster
 from f1tenth_judge.batch.inputs import hash_inputs, hash_software
 from f1tenth_judge.batch.jobs import Job, Outcome, read_result, run_jobs
+from f1tenth_judge.batch.repeat import difference
 from f1tenth_judge.errors import ScenarioError, writing
 from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.plan.planning import make_plan
@@ -60,7 +61,12 @@ class Sweep:
     """A scenario with several sets of values."""
 
     def __init__(
-        self, cases: Mapping[str, Case], folder: Path, settings: Sequence[str] = (), bag: bool = False
+        self,
+        cases: Mapping[str, Case],
+        folder: Path,
+        settings: Sequence[str] = (),
+        bag: bool = False,
+        repeat: Optional[int] = None,
     ):
         """Check everything; nothing is run yet.
 
@@ -69,6 +75,7 @@ class Sweep:
             folder: for the folders of the cases, which have their names
             settings: KEY=VALUE, the same in all runs
             bag: keep the bags of all runs
+            repeat: how often each case is run; the first run counts, the others tell whether it is repeatable
 
         Raises:
             NotApplicableError: the scenario says nothing about a planner that the settings name.
@@ -78,21 +85,26 @@ class Sweep:
         self._name = folder.name
         self._software = hash_software()
         self._inputs: dict[Job, str] = {}
+        self._again: dict[Job, list[Job]] = {}
         self.plans: dict[Job, Plan] = {}
         for name, case in cases.items():
             texts = (*settings, *map(str, case.settings))
             plan = make_plan(case.scenario, settings=texts)
             require_runner(plan)
             job = Job(str(plan.file), texts, str(folder), ("--bag",) if bag else (), name=name)
-            self._inputs[job] = hash_inputs(plan, self._software)
+            numbers = range(2, (repeat or 1) + 1)
+            again = [dataclasses.replace(job, name=f"{name},repeat={number}") for number in numbers]
+            self._inputs |= dict.fromkeys([job, *again], hash_inputs(plan, self._software))
             self.plans[job] = plan
+            self._again[job] = again
         self.reused: list[Job] = []
         self.results: dict[Job, dict[str, Any]] = {}
         self.problems: list[str] = []
+        self.unsteady: list[Job] = []  # whose repeated runs differ
 
     @property
     def jobs(self) -> list[Job]:
-        """In the order of the values."""
+        """In the order of the values, those of a case together."""
         return list(self._inputs)
 
     def run(self, stop: StopRequest, at_once: Optional[int] = None, scheduler: Optional[str] = None) -> None:
@@ -113,7 +125,9 @@ class Sweep:
         for file in (job.folder / _INPUTS_FILE for job in left):
             with writing(file):
                 file.unlink(missing_ok=True)
-        bar = CountLine(f"{self._name} swept", len(left))
+        bar = CountLine(self._name, len(self.jobs))
+        for result in self.results.values():
+            bar.update(result["passed"])
         if scheduler and left:
             outcomes = run_on_cluster(left, stop, scheduler)
         else:
@@ -122,14 +136,18 @@ class Sweep:
             self._take(outcome)
             bar.update(outcome.exit_code == 0)
         bar.clear()
+        for job, again in self._again.items():
+            if differs := difference([self.results[each] for each in (job, *again) if each in self.results]):
+                self.unsteady.append(job)
+                self.problems.append(f"{job.folder}: not repeatable: {differs}")
 
     def rows(self) -> Iterator[dict[str, Any]]:
-        """A row of the table for each run that has a result."""
+        """A row of the table for each case that has a result."""
         return (row for _, row in self.rows_of_jobs())
 
     def rows_of_jobs(self) -> Iterator[tuple[Job, dict[str, Any]]]:
         """The same with their jobs."""
-        for job in self.jobs:
+        for job in self.plans:
             if job in self.results:
                 result = self.results[job]
                 yield (

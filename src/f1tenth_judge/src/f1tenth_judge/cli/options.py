@@ -64,14 +64,22 @@ def planner_settings(options) -> list[str]:
     """The setting for the one planner that options name; empty if they name none.
 
     Raises:
+        ScenarioError: as planners_named.
+    """
+    return [planner_setting(planner) for planner in planners_named(options)]
+
+
+def planners_named(options) -> list[Driver]:
+    """The one planner that options name; none if they name none.
+
+    Raises:
         ScenarioError: two are named, or as planner_of.
     """
     check_planner_options(options)
     if options.planner and options.ros2:
         raise ScenarioError("--ros2 is given beside --planner; one planner drives in all scenarios")
     planners = ros2_planners([options.ros2], options) if options.ros2 else []
-    planners += [planner_of(options.planner, options)] if options.planner else []
-    return [planner_setting(planner) for planner in planners]
+    return planners + ([planner_of(options.planner, options)] if options.planner else [])
 
 
 def ros2_planners(commands: Sequence[str], options) -> list[Driver]:

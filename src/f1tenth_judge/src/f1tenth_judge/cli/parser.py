@@ -22,6 +22,7 @@ _WATCH = (
 )
 _SET = "replace a value of the file, as in seed=2, mu=0.3, limits.timeout=20 or driver.arguments.speed=4"
 _BAG = "keep the bag, also of runs that pass"
+_REPEAT = "run N times each, and say how much the results differ"
 _VARY = "FIRST:LAST (whole numbers), FIRST:LAST:COUNT or A,B,C; several keys: every combination"
 _TABLE = "one more table of the runs: FILE.parquet keeps types, FILE.csv is text"
 _AGAINST = "results to compare with; default: those of the commit before, which each run keeps"
@@ -80,15 +81,13 @@ def _add_run(commands: _Subparsers) -> None:
     command = _command(commands, "run", run, "run scenarios; exit code 0 if each ended as expected")
     command.add_argument("names", nargs="*", metavar="NAME", help="scenario or file")
     command.add_argument("--all", action="store_true", help="run all scenarios")
-    _add_repeat(command)
     _add_name(command, "that of the scenario")
-    command.add_argument("--planner", metavar="LAUNCH", help=f"drive with it instead of ours: {_PLANNER}")
-    command.add_argument("--ros2", metavar="COMMAND", help=f"drive with it instead of ours: {_ROS2}")
-    _add_planner(command)
+    _add_other_planner(command)
     command.add_argument(
         "--reference-limits", action="store_true", help="judge by the limits of our planner, too"
     )
-    _add_run_options(command, "write to FOLDER/NAME")
+    _add_driving(command, "write to FOLDER/NAME", "1")
+    _add_shown(command)
 
 
 def _add_race(commands: _Subparsers) -> None:
@@ -118,25 +117,24 @@ def _add_race(commands: _Subparsers) -> None:
     command.add_argument(
         "--attach", action="store_true", help="use the ROS master that runs, so that one can look on"
     )
-    _add_repeat(command)
     _add_name(command, "race_PLACE")
+    _add_driving(command, "write to FOLDER/NAME", "1")
+    _add_shown(command)
+
+
+def _add_other_planner(
+    command: argparse.ArgumentParser, drives: str = "drive with it instead of ours"
+) -> None:
+    command.add_argument("--planner", metavar="LAUNCH", help=f"{drives}: {_PLANNER}")
+    command.add_argument("--ros2", metavar="COMMAND", help=f"{drives}: {_ROS2}")
+
+
+def _add_driving(command: argparse.ArgumentParser, where: str, at_once: str) -> None:
+    """Options of every command that drives, besides --planner and --ros2, of which a race may have two."""
     _add_planner(command)
-    _add_run_options(command, "write to FOLDER/NAME")
-
-
-def _add_repeat(command: argparse.ArgumentParser) -> None:
-    command.add_argument(
-        "--repeat", type=int, metavar="N", help="run N times and say how much the results differ"
-    )
-    _add_seeds(command)
-    _add_jobs(command, "1")
-
-
-def _add_seeds(command: argparse.ArgumentParser) -> None:
+    command.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help=_SET)
     command.add_argument("--seeds", metavar="A:B", help="run with each of these seeds, as in 1:20 or 3,5")
-
-
-def _add_jobs(command: argparse.ArgumentParser, default: str) -> None:
+    command.add_argument("--repeat", type=int, metavar="N", help=_REPEAT)
     # The second name is that of earlier versions.
     command.add_argument(
         "--jobs",
@@ -144,8 +142,15 @@ def _add_jobs(command: argparse.ArgumentParser, default: str) -> None:
         dest="workers",
         type=int,
         metavar="N",
-        help=f"run N at a time; default: {default}",
+        help=f"run N at a time; default: {at_once}",
     )
+    command.add_argument("--bag", action="store_true", help=_BAG)
+    command.add_argument("--watch", action="store_true", help=_WATCH)
+    _add_results(command, where)
+
+
+def _add_shown(command: argparse.ArgumentParser) -> None:
+    command.add_argument("--report", action="store_true", help="write the report afterwards")
 
 
 def _add_name(command: argparse.ArgumentParser, default: str) -> None:
@@ -169,58 +174,35 @@ def _add_planner(command: argparse.ArgumentParser) -> None:
     )
 
 
-def _add_run_options(command: argparse.ArgumentParser, where: str) -> None:
-    _add_results(command, where)
-    command.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help=_SET)
-    command.add_argument("--bag", action="store_true", help=_BAG)
-    command.add_argument("--report", action="store_true", help="write the report afterwards")
-    _add_watch(command)
-
-
 def _add_sweep(commands: _Subparsers) -> None:
     command = _command(commands, "sweep", sweep, "run many variations of a scenario in parallel")
     command.add_argument("name", metavar="NAME", help="scenario or file")
     command.add_argument("--vary", action="append", required=True, metavar="KEY=VALUES", help=_VARY)
-    _add_workers(command)
     command.add_argument("--output", type=Path, metavar="FILE", help=_TABLE)
-    _add_results(command, "write to FOLDER/sweep/NAME")
-
-
-def _add_workers(command: argparse.ArgumentParser) -> None:
-    _add_jobs(command, "one per core")
-    command.add_argument("--scheduler", metavar="URI", help="use this Dask cluster, as in tcp://host:8786")
-
-
-def _add_watch(command: argparse.ArgumentParser) -> None:
-    command.add_argument("--watch", action="store_true", help=_WATCH)
+    _add_other_planner(command)
+    _add_many(command, "write to FOLDER/sweep/NAME")
 
 
 def _add_suite(commands: _Subparsers) -> None:
     command = _command(commands, "suite", suite, "run many cases, and say how many a planner passes")
     command.add_argument("name", nargs="?", metavar="NAME", help="default: list the suites")
     command.add_argument("--cases", metavar="A,B", help="some of the cases: seeds, as in 0:59, or names")
-    command.add_argument("--planner", metavar="LAUNCH", help=f"drive with it instead of ours: {_PLANNER}")
-    command.add_argument("--ros2", metavar="COMMAND", help=f"drive with it instead of ours: {_ROS2}")
     command.add_argument("--opponent", metavar="LAUNCH", help="drives the other car of 'encounters'")
-    _add_planner(command)
-    _add_seeds(command)
-    _add_many(command)
-    _add_results(command, "write to FOLDER/suite/NAME")
+    _add_other_planner(command)
+    _add_many(command, "write to FOLDER/suite/NAME")
 
 
 def _add_league(commands: _Subparsers) -> None:
     text = "race planners against the clock and each other at many places, and rank them on a page"
     command = _command(commands, "league", league, text)
     command.add_argument("file", type=Path, metavar="FILE", help="YAML: planners, places, laps, seeds, pairs")
-    _add_many(command)
-    _add_results(command, "write to FOLDER/league/NAME")
+    _add_other_planner(command, "takes part besides those of the file")
+    _add_many(command, "write to FOLDER/league/NAME")
 
 
-def _add_many(command: argparse.ArgumentParser) -> None:
-    command.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help=_SET)
-    command.add_argument("--bag", action="store_true", help=_BAG)
-    _add_workers(command)
-    _add_watch(command)
+def _add_many(command: argparse.ArgumentParser, where: str) -> None:
+    _add_driving(command, where, "one per core")
+    command.add_argument("--scheduler", metavar="URI", help="use this Dask cluster, as in tcp://host:8786")
 
 
 def _add_reference(commands: _Subparsers) -> None:

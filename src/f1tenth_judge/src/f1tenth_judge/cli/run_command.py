@@ -110,7 +110,8 @@ def run_repeatedly(name: str, options, settings: Sequence[str]) -> int:
     from f1tenth_judge.batch.repeat import repeat
 
     with StopRequest().listening() as stop:
-        steady = repeat(name, options.repeat, results_of(options), settings, stop, options.workers or 1)
+        results, at_once = results_of(options), options.workers or 1
+        steady = repeat(name, options.repeat, results, settings, stop, at_once, options.bag)
     return exit_code(steady, stop)
 
 
@@ -122,7 +123,7 @@ def check_repeat(options) -> None:
     """
     if options.repeat < 2:
         raise ScenarioError(_REPEAT)
-    for option in ("bag", "report", "attach", "save", "seeds", "watch"):
+    for option in ("report", "attach", "save", "seeds", "watch"):
         if getattr(options, option, None):
             raise ScenarioError(f"--{option} is not for --repeat")
 

@@ -1,7 +1,7 @@
 """f1tenth suite."""
 
+import functools
 import importlib
-import sys
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -10,8 +10,9 @@ from f1tenth_judge import suites
 from f1tenth_judge.atomic import replacing
 from f1tenth_judge.batch.jobs import Job
 from f1tenth_judge.batch.table_file import check_table_file, write_table
-from f1tenth_judge.cli.exit_codes import PASSED, exit_code
-from f1tenth_judge.cli.options import expect_at_least, planner_of, planner_settings, results_of, seed_settings
+from f1tenth_judge.cli.exit_codes import NOT_PASSED, PASSED
+from f1tenth_judge.cli.many import check_many, run_many
+from f1tenth_judge.cli.options import planner_of, planner_settings, results_of, seed_settings
 from f1tenth_judge.errors import ScenarioError, writing
 from f1tenth_judge.extensions import extensions
 from f1tenth_judge.plan.planner import PLANNER, driver_text
@@ -19,7 +20,6 @@ from f1tenth_judge.record.files import JUNIT_FILE, PAGE_FILE, REPORT_FILE
 from f1tenth_judge.results.reference_laps import reference_of
 from f1tenth_judge.results.standing import planner_text
 from f1tenth_judge.scenario.settings import parse_setting
-from f1tenth_judge.stop_request import StopRequest
 from f1tenth_judge.suites.suite import Suite
 
 _TABLE_FILE, _PLACES = "scorecard.csv", "places"
@@ -39,24 +39,16 @@ def suite(options) -> int:
     key = all_suites()[options.name].planner_key
     planners = [each.replace(PLANNER, key, 1) for each in planner_settings(options)]
     settings = [*options.set, *planners]
-    expect_at_least(1, options.workers, "--jobs")
+    check_many(options)
     folder = results_of(options) / "suite" / options.name
     with writing(folder):
         (folder / _PLACES).mkdir(parents=True, exist_ok=True)
     check_table_file(folder / _TABLE_FILE)
-    from f1tenth_judge.report.live.watching import watched_jobs
-
     sweep = _sweep(options, settings, folder)
-    title = f"Suite {options.name}"
-    with StopRequest().listening() as stop, watched_jobs(sweep.jobs, title, folder, options.watch) as lead_to:
-        sweep.run(stop, options.workers, options.scheduler)
-        for problem in [] if stop.signal else sweep.problems:
-            print(f"f1tenth: {problem}", file=sys.stderr)
-        passed = sum(result["passed"] for result in sweep.results.values())
-        if sweep.results:
-            _write(options.name, sweep, folder)
-            lead_to(f"/{PAGE_FILE}")
-    return exit_code(passed == len(sweep.jobs), stop)
+    write = functools.partial(_write, options.name, sweep, folder)
+    code = run_many(sweep, f"Suite {options.name}", folder, options, write)
+    passed = all(result["passed"] for result in sweep.results.values())
+    return code if passed or code else NOT_PASSED
 
 
 def all_suites() -> Mapping[str, Suite]:
@@ -85,10 +77,11 @@ def _sweep(options, settings: list[str], folder: Path):
         folder,
         settings,
         options.bag,
+        options.repeat,
     )
 
 
-def _write(name: str, sweep, folder: Path) -> None:
+def _write(name: str, sweep, folder: Path) -> str:
     # Imported late: scipy takes longer than everything else that the command does.
     from f1tenth_judge.report.page import write_report
     from f1tenth_judge.results.intervals import Rate
@@ -104,12 +97,14 @@ def _write(name: str, sweep, folder: Path) -> None:
     table, page = folder / _TABLE_FILE, folder / PAGE_FILE
     write_report(folder, folder / REPORT_FILE)
     with writing(folder), replacing(page) as temporary:
-        temporary.write_text(scorecard_page(f"Suite {name}", facts, rows), encoding="utf-8")
+        beside = (REPORT_FILE, _TABLE_FILE, JUNIT_FILE)
+        temporary.write_text(scorecard_page(f"Suite {name}", facts, rows, beside), encoding="utf-8")
         write_table(table, rows)
         write_junit(folder / JUNIT_FILE, junit_of_cases(f"suite_{name}", rows))
     for key, value in (*facts.items(), ("table", table), ("page", page)):
         print(f"{key + ':':19}{value}")
     print(scorecard(rows))
+    return PAGE_FILE
 
 
 def _row(job: Job, row: Mapping[str, Any], sweep) -> dict[str, Any]:

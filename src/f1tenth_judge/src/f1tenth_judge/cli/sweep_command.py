@@ -1,13 +1,12 @@
 """f1tenth sweep."""
 
-import sys
-
 from f1tenth_judge.batch.table_file import check_table_file, write_table
-from f1tenth_judge.cli.exit_codes import exit_code
-from f1tenth_judge.cli.options import expect_at_least, results_of
+from f1tenth_judge.cli.many import check_many, run_many
+from f1tenth_judge.cli.options import planner_settings, results_of
 from f1tenth_judge.errors import writing
 from f1tenth_judge.places import lookup
-from f1tenth_judge.stop_request import StopRequest
+from f1tenth_judge.record.files import REPORT_FILE
+from f1tenth_judge.suites.suite import seeds
 
 _TABLE_FILE, _PICTURE_FILE = "sweep.csv", "sweep.png"
 
@@ -16,27 +15,26 @@ def sweep(options) -> int:
     """Run many variations of a scenario; write a table and a picture, and print where they are."""
     from f1tenth_judge.batch.sweep import Case, Sweep, combinations
 
-    expect_at_least(1, options.workers, "--jobs")
+    check_many(options)
     output = options.output.resolve() if options.output else None
-    with StopRequest().listening() as stop:
-        if output:
-            check_table_file(output)
-        folder = results_of(options) / "sweep" / lookup.scenario_file(options.name).stem
-        varied = combinations(options.vary)
-        swept = Sweep({name: Case(options.name, values) for name, values in varied.items()}, folder)
-        with writing(folder):
-            folder.mkdir(parents=True, exist_ok=True)
-        check_table_file(folder / _TABLE_FILE)
-        swept.run(stop, options.workers, options.scheduler)
-        # Runs that were told to stop have no result, and nothing is wrong with that.
-        for problem in [] if stop.signal else swept.problems:
-            print(f"f1tenth: {problem}", file=sys.stderr)
-        if swept.results:
-            _write(swept, folder, output)
-    return exit_code(len(swept.results) == len(swept.jobs), stop)
+    if output:
+        check_table_file(output)
+    name = lookup.scenario_file(options.name).stem
+    folder = results_of(options) / "sweep" / name
+    if options.seeds:
+        seeds(options.seeds, "--seeds")
+        options.vary.append(f"seed={options.seeds}")
+    varied = combinations(options.vary)
+    cases = {each: Case(options.name, values) for each, values in varied.items()}
+    settings = [*options.set, *planner_settings(options)]
+    swept = Sweep(cases, folder, settings, options.bag, options.repeat)
+    with writing(folder):
+        folder.mkdir(parents=True, exist_ok=True)
+    check_table_file(folder / _TABLE_FILE)
+    return run_many(swept, f"Sweep {name}", folder, options, lambda: _write(swept, folder, output, options))
 
 
-def _write(swept, folder, output):
+def _write(swept, folder, output, options) -> str:
     # Imported late: matplotlib takes longer than everything else that the command does.
     from f1tenth_judge.batch.sweep_picture import write_picture
 
@@ -51,9 +49,13 @@ def _write(swept, folder, output):
     facts = [
         ("scenario", folder.name),
         ("passed", f"{sum(row['passed'] for row in rows)} of {len(rows)}"),
-        ("reused", f"{len(swept.reused)} of {len(rows)}, of the same inputs"),
         *(("table", table) for table in tables),
         ("picture", picture),
     ]
     for key, value in facts:
         print(f"{key + ':':19}{value}")
+    if options.watch:
+        from f1tenth_judge.report.page import write_report
+
+        write_report(folder, folder / REPORT_FILE)
+    return REPORT_FILE

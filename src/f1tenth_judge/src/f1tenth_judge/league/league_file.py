@@ -2,6 +2,7 @@
 
 import dataclasses
 from pathlib import Path
+from typing import Optional
 
 from f1tenth_judge.errors import FileError, as_scenario_error
 from f1tenth_judge.plan.named_planner import named_planner
@@ -15,14 +16,26 @@ class Entry:
     """A planner that takes part."""
 
     name: str = key("Of letters, digits and '_'.")
-    planner: str = key("As `--planner` names it; a path is relative to the file of the league.")
+    planner: str = key(
+        "As `--planner` names it; a path is relative to the file of the league. This or `ros2` is given.",
+        default="",
+    )
+    ros2: str = key("Command that starts a planner of ROS 2.", default="")
     interface: Interface = key("Topics of a launch file.", default=Interface.NATIVE)
     arguments: dict[str, str] = key("For the planner.", default={})
+    given: Optional[Driver] = None  # who was found already
 
     def problem(self) -> Problem:
         """What is wrong between the keys: the key and the text, or nothing."""
+        if bool(self.planner) == bool(self.ros2):
+            return "planner", "or 'ros2' must be given, and not both"
         fits = self.name.isidentifier()
         return None if fits else ("name", f"is '{self.name}', must be of letters, digits and '_'")
+
+    @property
+    def driven_by(self) -> str:
+        """The planner as it was named."""
+        return self.given.name if self.given else self.planner or self.ros2
 
     def driver(self, beside: Path) -> Driver:
         """How it is started; `beside`: the folder of the league's file.
@@ -30,6 +43,10 @@ class Entry:
         Raises:
             ScenarioError: there is no such file.
         """
+        if self.given:
+            return self.given
+        if self.ros2:
+            return Driver(ros2=self.ros2, arguments=self.arguments)
         return named_planner(self.planner, beside, self.interface, self.arguments)
 
 

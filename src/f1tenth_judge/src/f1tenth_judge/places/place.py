@@ -108,7 +108,10 @@ def gates_after(course: Course, line: StartLine) -> tuple[StartLine, ...]:
 
 
 def _divides_road(course: Course, pose: Pose) -> bool:
-    """Whether the road has to cross a line at a pose: at a sharp corner it leads around the line's inner end."""
+    """Whether all who drive along the road cross the line at a pose.
+
+    At a sharp corner the line's inner end is in the middle of the road that leads there.
+    """
     right, left = _widths(course, pose)
     edges = (
         (pose.x - aside * math.sin(pose.yaw), pose.y + aside * math.cos(pose.yaw)) for aside in (-right, left)

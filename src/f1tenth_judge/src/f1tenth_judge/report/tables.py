@@ -8,15 +8,18 @@ from f1tenth_judge.record.files import REPORT_FILE
 
 _STYLE = (
     "body{font:15px/1.5 system-ui,sans-serif;margin:2em auto;max-width:70em;padding:0 1em}"
-    "table{border-collapse:collapse;margin:1em 0}th,td{padding:.3em .8em;text-align:left}"
+    "table{border-collapse:collapse;margin:1em 0;display:block;overflow-x:auto}"
+    "th,td{padding:.3em .8em;text-align:left;white-space:nowrap}"
     "tr+tr{border-top:1px solid #ddd}td{font-variant-numeric:tabular-nums}"
+    "td:last-child{white-space:normal;min-width:12em}"
     ".bad{color:#b3261e}.none{color:#777}"
 )
 
 
 def page(title: str, body: Sequence[str]) -> str:
     """A page with its title as heading above the body, which is HTML."""
-    head = f'<meta charset="utf-8"><title>{escape(title)}</title><style>{_STYLE}</style>'
+    small = '<meta name="viewport" content="width=device-width">'
+    head = f'<meta charset="utf-8">{small}<title>{escape(title)}</title><style>{_STYLE}</style>'
     content = f"<h1>{escape(title)}</h1>{''.join(body)}"
     return f'<!doctype html><html lang="en"><head>{head}</head><body>{content}</body></html>\n'
 
@@ -28,6 +31,11 @@ def table(heads: Iterable[str], rows: Iterator[Sequence[str]]) -> str:
         *("".join(f"<td>{cell}</td>" for cell in row) for row in rows),
     ]
     return "<table>" + "".join(f"<tr>{line}</tr>" for line in lines) + "</table>"
+
+
+def links(files: Iterable[str]) -> str:
+    """Links to files beside the page."""
+    return "<p>" + ", ".join(f'<a href="{quote(each)}">{escape(each)}</a>' for each in files) + "</p>"
 
 
 def run_link(name: str, text: str) -> str:

@@ -5,16 +5,16 @@ from collections.abc import Iterator, Mapping, Sequence
 from html import escape
 from typing import Any
 
-from f1tenth_judge.report.tables import number, page, run_link, table, verdict
+from f1tenth_judge.report.tables import links, number, page, run_link, table, verdict
 
 Row = Mapping[str, Any]
 _SHOWN = 10  # cases, in the text
-_HEADS = ("case", "verdict", "clearance", "best lap", "of reference", "reason")
+_HEADS = ("case", "verdict", "clearance", "best lap", "lap/reference", "reason")
 
 
 def worst_first(rows: Sequence[Row]) -> list[Row]:
-    """Cases that failed before those that passed, and then by clearance."""
-    return sorted(rows, key=lambda row: (row["passed"], _or_infinite(row["minimum_clearance"]), row["case"]))
+    """Cases that failed before those that passed, and then by clearance as it is shown."""
+    return sorted(rows, key=lambda row: (row["passed"], _shown(row["minimum_clearance"]), row["case"]))
 
 
 def scorecard(rows: Sequence[Row]) -> str:
@@ -27,13 +27,14 @@ def scorecard(rows: Sequence[Row]) -> str:
     )
 
 
-def scorecard_page(title: str, facts: Mapping[str, str], rows: Sequence[Row]) -> str:
-    """The facts about the suite, and all its cases with links to their replays."""
+def scorecard_page(title: str, facts: Mapping[str, str], rows: Sequence[Row], files: Sequence[str]) -> str:
+    """The facts about the suite, all its cases with links to their replays, and links to files beside it."""
     about = table((), ((escape(name), escape(value)) for name, value in facts.items()))
     note = (
-        "<p>Of reference: over the fastest lap of the circuit, of its raceline, or of the road's middle.</p>"
+        "<p>Lap/reference: the best lap divided by the fastest lap possible on the circuit, or else by a lap"
+        " at the speeds of its raceline, or by the fastest lap along the middle of the road.</p>"
     )
-    return page(title, [about, table(_HEADS, _linked(rows)), note])
+    return page(title, [about, links(files), table(_HEADS, _linked(rows)), note])
 
 
 def _linked(rows: Sequence[Row]) -> Iterator[list[str]]:
@@ -48,5 +49,5 @@ def _cells(row: Row) -> tuple[str, ...]:
     return row["case"], row["verdict"], near, lap, ratio, row["reason"]
 
 
-def _or_infinite(value):
-    return math.inf if value is None else value
+def _shown(clearance):
+    return math.inf if clearance is None else round(clearance, 3)

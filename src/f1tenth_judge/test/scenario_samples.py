@@ -9,7 +9,8 @@ from f1tenth_judge.plan.driver_file import read_driver_file
 from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.plan.task import Task
 from f1tenth_judge.record.observations import Failure, Observations, RaceState, RaceUpdate
-from f1tenth_judge.record.record import COLUMNS, read_record
+from f1tenth_judge.record.record import read_record
+from f1tenth_judge.record.row import COLUMNS
 from f1tenth_judge.scenario.car import Car, Pose
 from f1tenth_judge.scenario.criteria import Criteria
 from f1tenth_judge.scenario.scenario import Limits, Scenario, Verdict

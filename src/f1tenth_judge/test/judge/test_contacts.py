@@ -1,7 +1,7 @@
 """Contacts are counted once and given to the car that caused them."""
 
 from f1tenth_judge.judge.contacts import find_contacts
-from f1tenth_judge.record.record import COLUMNS
+from f1tenth_judge.record.row import COLUMNS
 from scenario_samples import record, rows
 
 

@@ -4,7 +4,7 @@ import pytest
 from f1tenth_judge.judge.judge import judge
 from f1tenth_judge.record.interventions import Intervention
 from f1tenth_judge.record.observations import Observations
-from f1tenth_judge.record.record import COLUMNS
+from f1tenth_judge.record.row import COLUMNS
 from f1tenth_judge.scenario.interventions import InterventionKind, Permission
 from f1tenth_judge.scenario.scenario import Verdict
 from scenario_samples import TASKS, finished, record, rows, scenario

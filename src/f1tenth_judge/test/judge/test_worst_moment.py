@@ -14,7 +14,7 @@ from f1tenth_judge.judge.driving_criteria import (
 )
 from f1tenth_judge.judge.goal_passes import find_passes
 from f1tenth_judge.judge.judge import Decision, Judgement, first_collision
-from f1tenth_judge.record.record import COLUMNS
+from f1tenth_judge.record.row import COLUMNS
 from f1tenth_judge.scenario.car import Pose
 from f1tenth_judge.scenario.criteria import Criteria
 from f1tenth_judge.scenario.scenario import Verdict

@@ -2,7 +2,8 @@
 
 import pytest
 from f1tenth_judge.errors import ScenarioError
-from f1tenth_judge.record.record import COLUMNS, read_record
+from f1tenth_judge.record.record import read_record
+from f1tenth_judge.record.row import COLUMNS
 from scenario_samples import record, rows
 
 HEADER = ",".join(COLUMNS) + "\n"
@@ -49,12 +50,18 @@ def test_header_alone_is_empty(tmp_path):
     [
         ("a,b\n1,2\n", f"FILE:1: not a record of the simulator: the columns must be {','.join(COLUMNS)}"),
         (HEADER + "1,2\n", "FILE:2: 2 values, must be 13"),
-        (HEADER + ROW.replace("0.5", "near"), "FILE: could not convert string to float: 'near'"),
+        (
+            HEADER + ROW.replace("0.5", "near"),
+            "FILE:2: clearance of robot1 at 0.025 is near, must be a finite number",
+        ),
         (
             HEADER + ROW + ROW.replace("0.5", "nan"),
-            "FILE: clearance of robot1 at 0.025 is nan, must be finite",
+            "FILE:3: clearance of robot1 at 0.025 is nan, must be a finite number",
         ),
-        (HEADER + ROW.replace("0.025", "inf"), "FILE: time of robot1 at inf is inf, must be finite"),
+        (
+            HEADER + ROW.replace("0.025", "inf"),
+            "FILE:2: time of robot1 at inf is inf, must be a finite number",
+        ),
         (
             HEADER + ROW.replace("abc", "\xe4"),
             "FILE: not a record of the simulator: 'utf-8' codec can't decode byte",

@@ -2,7 +2,8 @@
 
 import csv
 
-from f1tenth_judge.record.record import COLUMNS, read_record
+from f1tenth_judge.record.record import read_record
+from f1tenth_judge.record.row import COLUMNS
 from f1tenth_judge.results.result import write_trajectory
 from scenario_samples import record, rows
 

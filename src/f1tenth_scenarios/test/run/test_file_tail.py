@@ -1,6 +1,6 @@
 """Files that grow while they are read."""
 
-from f1tenth_judge.record.record import COLUMNS
+from f1tenth_judge.record.row import COLUMNS
 from f1tenth_judge.run.so_far import SoFar
 from f1tenth_scenarios.run.file_tail import LineTail, RecordTail
 from scenario_samples import rows, sample_plan, scenario, write_record

@@ -1,31 +1,15 @@
 """The simulator's record: the truth about where every car was, what it touched and how close it came."""
 
-import csv
 import dataclasses
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import Optional
+from typing import Any, Optional
 
 import numpy as np
 
 from f1tenth_judge.errors import ScenarioError
+from f1tenth_judge.record.row import COLUMNS, Row, cells_of, row_of
 
-COLUMNS = (
-    "time",
-    "car",
-    "x",
-    "y",
-    "yaw",
-    "v_x",
-    "v_y",
-    "yaw_rate",
-    "steering_angle",
-    "clearance",
-    "contacts",
-    "contact_speed",
-    "hash",
-)
-_NUMBERS = ("time", "x", "y", "yaw", "v_x", "v_y", "yaw_rate", "steering_angle", "clearance", "contact_speed")
 # Stamps are written as decimals; half a nanosecond tells equal ones from neighbouring ones.
 STAMP_EPSILON = 5e-10
 
@@ -156,31 +140,23 @@ def read_record(path: Path) -> Record:
         raise ScenarioError(
             f"{path}:1: not a record of the simulator: the columns must be {','.join(COLUMNS)}"
         )
-    return _build(path, list(csv.reader(complete[1:])))
+    return _build(path, complete[1:])
 
 
-def _build(path, rows):
-    by_car: dict[str, list] = {}
-    for number, row in enumerate(rows, start=2):
-        if len(row) != len(COLUMNS):
-            raise ScenarioError(f"{path}:{number}: {len(row)} values, must be {len(COLUMNS)}")
-        by_car.setdefault(row[1], []).append(tuple(row))
-    try:
-        return Record({car: _track(car, car_rows) for car, car_rows in by_car.items()})
-    except ValueError as error:
-        raise ScenarioError(f"{path}: {error}") from error
+def _build(path: Path, lines: Sequence[str]) -> Record:
+    by_car: dict[str, list[tuple[Row, tuple[str, ...]]]] = {}
+    for number, line in enumerate(lines, start=2):
+        cells = cells_of(line)
+        try:
+            row = row_of(cells)
+        except ValueError as error:
+            raise ScenarioError(f"{path}:{number}: {error}") from error
+        by_car.setdefault(row.car, []).append((row, tuple(cells)))
+    return Record({car: _track(car, *zip(*each)) for car, each in by_car.items()})
 
 
-def _track(car, rows):
-    columns = dict(zip(COLUMNS, zip(*rows)))
-    numbers = {name: np.fromiter(map(float, columns[name]), float, len(rows)) for name in _NUMBERS}
-    for name, values in numbers.items():
-        _require_finite(f"{name} of {car}", values, columns["time"])
-    return CarTrack(car=car, contacts=columns["contacts"], hash=columns["hash"], rows=tuple(rows), **numbers)
-
-
-def _require_finite(name, values, times):
-    finite = np.isfinite(values)
-    if not finite.all():
-        first = int(np.argmin(finite))
-        raise ValueError(f"{name} at {times[first]} is {values[first]}, must be finite")
+def _track(car: str, rows: Sequence[Row], cells: tuple[tuple[str, ...], ...]) -> CarTrack:
+    columns: dict[str, Any] = dict(zip(COLUMNS, zip(*rows)))
+    words = {name: columns[name] for name in ("contacts", "hash")}
+    numbers: dict[str, Any] = {name: np.array(columns[name]) for name in columns.keys() - {"car", *words}}
+    return CarTrack(car=car, rows=cells, **words, **numbers)

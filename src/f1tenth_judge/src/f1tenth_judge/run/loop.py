@@ -9,7 +9,7 @@ from f1tenth_judge.errors import writing
 from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.record.observations import Failure
 from f1tenth_judge.record.pace import Pace
-from f1tenth_judge.record.record import COLUMNS
+from f1tenth_judge.record.row import COLUMNS
 from f1tenth_judge.run.driver import Driver
 from f1tenth_judge.run.so_far import SoFar
 from f1tenth_judge.run.stage import PERIOD, Stage

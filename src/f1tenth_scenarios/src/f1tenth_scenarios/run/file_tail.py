@@ -3,7 +3,7 @@
 import contextlib
 from pathlib import Path
 
-from f1tenth_judge.record.record import COLUMNS
+from f1tenth_judge.record.row import cells_of, row_of
 from f1tenth_judge.run.log_excerpt import plain
 from f1tenth_judge.run.so_far import SoFar
 
@@ -32,8 +32,6 @@ class LineTail:
 class RecordTail:
     """Hands what the simulator's record says to whoever follows the run."""
 
-    _TIME, _CAR, _X, _Y, _YAW, _CONTACTS = map(COLUMNS.index, ("time", "car", "x", "y", "yaw", "contacts"))
-
     def __init__(self, path: Path, so_far: SoFar):
         self._tail = LineTail(path)
         self._so_far = so_far
@@ -41,12 +39,7 @@ class RecordTail:
     def poll(self) -> None:
         """Read what has been added."""
         for line in self._tail.new_lines():
-            cells = line.split(",")
-            if len(cells) == len(COLUMNS) and cells[self._TIME] != COLUMNS[self._TIME]:
-                # A row that somebody has damaged is none; the evidence tells of it.
-                with contextlib.suppress(ValueError):
-                    self._take(cells)
-
-    def _take(self, cells: list[str]) -> None:
-        time, *place = (float(cells[each]) for each in (self._TIME, self._X, self._Y, self._YAW))
-        self._so_far.take(time, cells[self._CAR], place, bool(cells[self._CONTACTS]))
+            # The heads of the columns, or a row that somebody has damaged: the evidence tells of that.
+            with contextlib.suppress(ValueError):
+                row = row_of(cells_of(line))
+                self._so_far.take(row.time, row.car, (row.x, row.y, row.yaw), bool(row.contacts))

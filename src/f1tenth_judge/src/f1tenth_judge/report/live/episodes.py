@@ -6,7 +6,8 @@ from typing import Any
 
 from f1tenth_sim2d.environments.stage import Stage
 
-from f1tenth_judge.record.record import COLUMNS, Record
+from f1tenth_judge.record.record import Record
+from f1tenth_judge.record.row import COLUMNS
 from f1tenth_judge.report.episodes import scene_of_stage
 from f1tenth_judge.report.live.rows import Rows
 from f1tenth_judge.report.live.watching import Serving

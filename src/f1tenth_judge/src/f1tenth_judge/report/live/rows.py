@@ -5,7 +5,7 @@ import os
 from pathlib import Path
 from typing import Any, Optional, TextIO
 
-from f1tenth_judge.record.record import COLUMNS
+from f1tenth_judge.record.row import COLUMNS
 
 
 class Rows:

@@ -17,12 +17,15 @@ from f1tenth_judge.drivers.starting import start_drivers
 from f1tenth_judge.plan.race import Race, plan_race, save_race
 from f1tenth_judge.record.record import read_record
 from f1tenth_judge.report.live.feed import Feed, Place
+from f1tenth_judge.record.replay import Drawing
 from f1tenth_judge.report.live.runs import Runs, Watcher
 from f1tenth_judge.report.live.task import task_of
 from f1tenth_judge.report.live.watching import task_of_job, watched
 from f1tenth_judge.report.page import write_report
+from f1tenth_judge.report.replay_columns import pack_drawing
 from f1tenth_judge.results.result_file import write_result
 from f1tenth_judge.run.execute import execute
+from f1tenth_judge.said.journal import Journal
 from f1tenth_judge.scenario.driver import Driver
 from f1tenth_judge.stop_request import StopRequest
 from f1tenth_sim2d.environments import ENVIRONMENT, register
@@ -116,6 +119,23 @@ def test_the_page_follows_the_run_and_becomes_the_report(tmp_path, capsys):
         lead_to("/report.html#watched")
         until(window, "return document.querySelector('.criteria') && document.querySelector('.map')")
         assert window.current_url.endswith("/report.html#watched")
+        assert window.get_log("browser") == []
+
+
+def test_what_the_planner_draws_is_on_the_page_at_once(tmp_path, capsys):
+    plan = plan_race(
+        Race("circuit1", 1, [Driver(python=f"{CLASSES}:Noting")], called="noting"),
+        tmp_path / "noting",
+        ["limits.timeout=3"],
+    )
+    with chromium() as window, watch(plan):
+        window.get(capsys.readouterr().out.split()[-1])
+        until(window, "return document.querySelector('.note').textContent === 'Reading the recording…'")
+        drive(plan)
+        until(window, "return document.querySelector('.scrub')?.max > 1")
+        toggle = window.find_element("css selector", "[data-part=drawings]")
+        assert toggle.is_displayed()
+        assert toggle.get_attribute("title") == "/robot1/target, /robot1/way"
         assert window.get_log("browser") == []
 
 
@@ -260,6 +280,53 @@ def test_the_latest_events_are_kept(feed, tmp_path, monkeypatch):
     write_record(tmp_path / "record.csv", rows(1.0, contacts=touched))
     feed.poll()
     assert [each["time"] for each in feed.news(place)["events"]] == [0.3, 0.4]
+
+
+def draw(tmp_path, *times, points=2):
+    journal = Journal(tmp_path / "drawings.jsonl")
+    for time in times:
+        journal.note("/robot1/path", time, [Drawing("#00ff00", [[(time, 0.0)] * points])])
+    journal.close()
+
+
+def test_drawings_are_told_once_and_those_of_one_time_replace_another(feed, tmp_path):
+    place = Place()
+    write_record(tmp_path / "record.csv", rows(1.0))
+    draw(tmp_path, 0.2, 0.4)
+    feed.poll()
+    told = feed.news(place)["drawn"]
+    assert [(each["topic"], each["time"]) for each in told] == [("/robot1/path", 0.2), ("/robot1/path", 0.4)]
+    assert told[0]["drawn"] == [pack_drawing(Drawing("#00ff00", [[(0.2, 0.0)] * 2]))]
+    assert feed.news(place) is None
+    (tmp_path / "drawings.jsonl").open("a", encoding="utf-8").write('{"time":0.6,"topic":"/a","drawn":[]}\n')
+    assert feed.poll()
+    assert [each["topic"] for each in feed.news(place)["drawn"]] == ["/a"]
+
+
+def test_the_latest_drawings_are_kept(feed, tmp_path):
+    write_record(tmp_path / "record.csv", rows(1.0))
+    draw(tmp_path, *range(50), points=5000)
+    feed.poll()
+    kept = [each["time"] for each in feed.news(Place())["drawn"]]
+    assert 1 < len(kept) < 50
+    assert kept[-1] == 49
+
+
+def test_damaged_drawings_are_left_out(feed, tmp_path):
+    write_record(tmp_path / "record.csv", rows(1.0))
+    draw(tmp_path, 0.2)
+    lines = ["{", "[]", '{"time":1,"topic":"/a","drawn":[{"x":1}]}', '{"time":1,"drawn":[]}', "\0"]
+    with (tmp_path / "drawings.jsonl").open("a", encoding="utf-8") as stream:
+        stream.write("\n".join([*lines, '{"time":2,"topic":"/b","drawn":[]}', ""]))
+    feed.poll()
+    assert [each["time"] for each in feed.news(Place())["drawn"]] == [0.2, 2]
+
+
+def test_journal_on_a_full_disk_is_silent():
+    journal = Journal(Path("/dev/full"))
+    for time in (0.0, 0.2):
+        journal.note("/robot1/path", time, [])
+    journal.close()
 
 
 @pytest.fixture

@@ -8,6 +8,7 @@ RESULT_FILE, JUNIT_FILE = "result.json", "junit.xml"
 TRAJECTORY_FILE, PICTURE_FILE = "trajectory.csv", "trajectory.png"
 REPLAY_FILE, BAG_FILE = "replay.json.gz", "run.bag"
 RUN_FILES = (RESULT_FILE, JUNIT_FILE, TRAJECTORY_FILE, PICTURE_FILE, REPLAY_FILE, BAG_FILE)
+DRAWINGS_FILE = "drawings.jsonl"  # in the log folder
 PREVIOUS_FOLDER = "previous"
 REPORT_FILE, PAGE_FILE = "report.html", "index.html"  # the second: of tables of a suite or league
 

@@ -20,6 +20,7 @@ _DRAWN_POINTS = 20_000  # of what a topic draws, about
 _STEPS = 2000  # between the least and the greatest of a planner's numbers
 _GREATEST = 1e300  # of a planner's numbers: their differences are finite
 _THUMBNAIL_POINTS = 50  # of a car's path, at most
+_SHORT = 10.0  # m, of a path that decimetres would make a staircase
 _POSE = ("x", "y", "yaw")
 
 
@@ -44,8 +45,9 @@ def thumbnail(record: Record) -> list[list[list[float]]]:
 
 
 def _thinned(track: CarTrack) -> list[list[float]]:
-    points = np.column_stack([track.x, track.y])
-    return np.round(points[_spread(len(points), _THUMBNAIL_POINTS)], 1).tolist()
+    points = np.column_stack([track.x, track.y])[_spread(len(track.x), _THUMBNAIL_POINTS)]
+    is_short = len(points) > 0 and np.ptp(points, axis=0).max() < _SHORT
+    return np.round(points, 2 if is_short else 1).tolist()
 
 
 def _run(record: Record, replay: Replay, step: float) -> dict[str, Any]:
@@ -118,7 +120,7 @@ def _drawings(drawn: Timed) -> dict[str, Any]:
     """What a topic draws, at a rate at which it is not too much."""
     sizes = np.array([sum(map(_size, each)) for each in drawn.values])
     kept = _every(drawn.stamps, _PLAN_STEP * max(1.0, sizes.sum() / _DRAWN_POINTS))
-    frames = [[_drawing(one) for one in drawn.values[index]] for index in kept]
+    frames = [[pack_drawing(one) for one in drawn.values[index]] for index in kept]
     return {"time": column(np.asarray(drawn.stamps)[kept], _TIME), "frames": frames}
 
 
@@ -126,7 +128,8 @@ def _size(drawing: Drawing) -> int:
     return sum(map(len, drawing.lines)) + len(drawing.dots) + len(drawing.texts)
 
 
-def _drawing(drawing: Drawing) -> dict[str, Any]:
+def pack_drawing(drawing: Drawing) -> dict[str, Any]:
+    """What a planner draws at a moment."""
     return {
         "colour": drawing.colour,
         "lines": _lines(drawing.lines, _PLAN),

@@ -11,7 +11,7 @@ from f1tenth_judge.errors import MismatchError, ScenarioError
 from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.plan.planning import in_real_time
 from f1tenth_judge.plan.scenario_world import write_world
-from f1tenth_judge.record.files import REPLAY_FILE
+from f1tenth_judge.record.files import DRAWINGS_FILE, REPLAY_FILE
 from f1tenth_judge.record.observations import Observations
 from f1tenth_judge.record.record import read_record
 from f1tenth_judge.record.scene import scene_of
@@ -23,6 +23,8 @@ from f1tenth_judge.run.driver import Driver
 from f1tenth_judge.run.loop import Loop, Progress
 from f1tenth_judge.run.outcome import Files, files_of_record, judged, worth_a_wait, write_scene
 from f1tenth_judge.run.stage import Stage
+from f1tenth_judge.said.journal import Journal
+from f1tenth_judge.said.said import Said
 from f1tenth_judge.stop_request import StopRequest
 
 Drivers = Callable[[Plan, Stage, StopRequest, contextlib.ExitStack], Mapping[str, Driver]]
@@ -63,9 +65,10 @@ def execute(
 
 def _drive(plan: Plan, make_drivers: Drivers, stop: StopRequest, progress: Progress) -> tuple[Result, Stage]:
     """The run, judged, and its stage."""
-    stage = Stage(plan)
-    loop = Loop(plan, stage, stop, progress)
     with contextlib.ExitStack() as stack:
+        journal = stack.enter_context(contextlib.closing(Journal(plan.log_folder / DRAWINGS_FILE)))
+        stage = Stage(plan, Said(journal.note))
+        loop = Loop(plan, stage, stop, progress)
         drivers = make_drivers(plan, stage, stop, stack)
         failure = loop.run(drivers)
         notes = [driver.note() for driver in drivers.values()]

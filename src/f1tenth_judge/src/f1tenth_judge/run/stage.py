@@ -47,8 +47,8 @@ Command = Union[DriveCommand, TwistCommand]
 class Stage:
     """The world, the cars in it, and what has become of them."""
 
-    def __init__(self, plan: Plan):
-        """Load what the plan names.
+    def __init__(self, plan: Plan, said: Optional[Said] = None):
+        """Load what the plan names; `said` keeps what planners say besides their commands.
 
         Raises:
             ScenarioError: the world or a car cannot be used.
@@ -66,7 +66,7 @@ class Stage:
             "cars_sha256": {car.name: _digest(plan, car) for car in plan.scenario.cars},
         }
         self.descriptions = {car: self._simulation.car(number) for car, number in self._ids.items()}
-        self.said = Said()  # by planners, besides their commands
+        self.said = said or Said()
         self._imu: dict[str, list] = {car: [] for car in self._ids}
         self._periods = 0
 

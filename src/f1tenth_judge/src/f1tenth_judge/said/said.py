@@ -34,8 +34,9 @@ class _Kept:
 class Said:
     """By topic. Each function returns whether more of the topic is wanted."""
 
-    def __init__(self):
-        """Nothing was said yet."""
+    def __init__(self, on_drawing: Callable[[str, float, Sequence[Drawing]], None] = lambda *_: None):
+        """Nothing was said yet. `on_drawing` is told each topic, time (s) and drawing that is kept."""
+        self._on_drawing = on_drawing
         self._drawings: dict[str, _Kept] = {}
         self._numbers: dict[str, _Kept] = {}
         self._pictures: dict[str, _Kept] = {}
@@ -56,6 +57,9 @@ class Said:
                     kept, f"{topic}: left out from {now:.3f} s on, as it has more than {_MOST_POINTS} points"
                 )
             kept.add(now, shown(now))
+        else:
+            return True
+        self._on_drawing(topic, kept.stamps[-1], kept.values[-1])
         return True
 
     def number(self, topic: str, now: float, value: float, car: str) -> bool:

@@ -1,24 +1,30 @@
-"""What watchers are told of a run: read from the files that the simulator writes."""
+"""What watchers are told of a run: read from the files that simulator and judge write."""
 
 import dataclasses
+import json
 import math
-import os
 import time
+from collections import deque
 from pathlib import Path
 from typing import Any, Optional
 
 from f1tenth_judge.errors import ScenarioError
+from f1tenth_judge.record.files import DRAWINGS_FILE
 from f1tenth_judge.record.interventions import read_interventions
-from f1tenth_judge.record.record import COLUMNS, STAMP_EPSILON
+from f1tenth_judge.record.record import STAMP_EPSILON
+from f1tenth_judge.record.replay import Drawing
+from f1tenth_judge.record.row import Row, cells_of, row_of
+from f1tenth_judge.record.tail import Tail
+from f1tenth_judge.report.replay_columns import pack_drawing
 
 _STEP = 0.05  # s, between two rows of a car that are told
 _MOST_ROWS = 1000  # of a car, in one message: who is farther behind gets every n-th
 # Of a car, as those in live.js: then the older half loses every second one, so that a run may go on for days.
 _KEPT_ROWS = 20_000
 _KEPT_EVENTS = 1000  # the latest
+_KEPT_DRAWN = 1 << 20  # bytes, of what was drawn latest
 _CLOCKS = 0.1  # s, by which the time of a file may be behind the clock, and more than enough
-_SHOWN = [COLUMNS.index(name) for name in ("time", "x", "y", "yaw", "v_x", "steering_angle", "clearance")]
-_CAR, _CONTACTS = COLUMNS.index("car"), COLUMNS.index("contacts")
+_SHOWN = ("time", "x", "y", "yaw", "v_x", "steering_angle", "clearance")
 
 
 @dataclasses.dataclass
@@ -28,6 +34,7 @@ class Place:
     beginning: int = -1  # which run of the simulation it belongs to
     told: dict[str, float] = dataclasses.field(default_factory=dict)  # time of the last row (s), by car
     events: int = 0
+    drawn: int = 0
 
 
 class Feed:
@@ -35,32 +42,38 @@ class Feed:
 
     def __init__(self, record: Path, interventions: Path, since: Optional[float] = None):
         """`since`: when (Unix time, s) nothing of this run was written yet; none: now."""
-        self._record, self._interventions = record, interventions
-        self._since = time.time() - _CLOCKS if since is None else since
+        since = time.time() - _CLOCKS if since is None else since
+        self._record, self._interventions = Tail(record, since), interventions
+        self._drawings = Tail(record.with_name(DRAWINGS_FILE), since)
         self._beginning = 0
-        self._clear()
-
-    def _clear(self) -> None:
-        self._file: Optional[int] = None  # inode
-        self._offset, self._rest = 0, b""
         self._noted, self._noted_size = 0, 0  # interventions, and bytes of their file
         self._forget()
 
     def _forget(self) -> None:
         self._beginning += 1
-        self._rows: dict[str, list[list[float]]] = {}
+        self._rows: dict[str, list[list[Any]]] = {}
         self._touching: dict[str, str] = {}
         self._events: list[dict[str, Any]] = []
         self._forgotten = 0  # events
+        self._drawn: deque[dict[str, Any]] = deque()
+        self._sizes: deque[int] = deque()  # bytes of each
+        self._drawn_before = 0
 
     def poll(self) -> bool:
         """Read what has been written since the last call; returns whether there was anything."""
-        lines = self._new_lines()
+        files = self._record.beginnings
+        lines = self._record.new_lines()
+        if files and self._record.beginnings != files:  # another run
+            self._noted, self._noted_size = 0, 0
+            self._forget()
         for line in lines:
-            self._take(line.split(","))
+            self._take(cells_of(line.decode("utf-8", "replace").replace("\0", "")))
+        drawn = self._drawings.new_lines()
+        for each in drawn:
+            self._draw(each)
         if lines:
             self._take_interventions()
-        return bool(lines)
+        return bool(lines or drawn)
 
     def tell_again(self) -> None:
         """Tell everybody all from the beginning: there is another car."""
@@ -75,16 +88,20 @@ class Feed:
         if not self._has_news(place):
             return None
         if begins := place.beginning != self._beginning:
-            place.beginning, place.told, place.events = self._beginning, {}, 0
-        count = self._forgotten + len(self._events)
+            place.beginning, place.told, place.events, place.drawn = self._beginning, {}, 0, 0
         events = self._events[max(place.events - self._forgotten, 0) :]
-        told = {"begins": begins, "cars": self._new_rows(place), "events": events}
+        drawn = list(self._drawn)[max(place.drawn - self._drawn_before, 0) :]
+        told = {"begins": begins, "cars": self._new_rows(place), "events": events, "drawn": drawn}
         place.told = {car: rows[-1][0] for car, rows in self._rows.items()}
-        place.events = count
+        place.events, place.drawn = self._counts()
         return told
 
+    def _counts(self) -> tuple[int, int]:
+        """How many events and drawings there were."""
+        return self._forgotten + len(self._events), self._drawn_before + len(self._drawn)
+
     def _has_news(self, place: Place) -> bool:
-        if place.beginning != self._beginning or place.events < self._forgotten + len(self._events):
+        if place.beginning != self._beginning or (place.events, place.drawn) != self._counts():
             return bool(self._rows)
         return any(place.told.get(car) != rows[-1][0] for car, rows in self._rows.items())
 
@@ -92,44 +109,39 @@ class Feed:
         new = {car: _after(rows, place.told.get(car, -math.inf)) for car, rows in self._rows.items()}
         return {car: _thinned(rows, _MOST_ROWS) for car, rows in new.items()}
 
-    def _new_lines(self) -> list[str]:
-        """The lines completed since the last call; a file that is begun anew is another run."""
-        try:
-            with open(self._record, "rb") as stream:
-                status = os.fstat(stream.fileno())
-                if status.st_mtime < self._since:
-                    return []  # of an earlier run
-                if self._file not in (None, status.st_ino) or status.st_size < self._offset:
-                    self._clear()
-                self._file = status.st_ino
-                stream.seek(self._offset)
-                data = stream.read()
-        except OSError:
-            return []  # not there yet, or the judge says what is wrong
-        self._offset += len(data)
-        *lines, self._rest = (self._rest + data).split(b"\n")
-        return [line.decode("utf-8", "replace") for line in lines]
-
     def _take(self, cells: list[str]) -> None:
-        row = _shown(cells)
-        if row is None:
-            return
-        if cells[_CAR] not in self._rows:
+        try:
+            row = row_of(cells, is_partial=True)
+        except ValueError:
+            return  # the heads of the columns, or damaged: the judge will say so
+        if row.car not in self._rows:
             self.tell_again()
-        rows = self._rows.setdefault(cells[_CAR], [])
-        if rows and row[0] < rows[-1][0]:  # another episode, whose file the system took for the same
+        rows = self._rows.setdefault(row.car, [])
+        if rows and row.time < rows[-1][0]:  # another episode, whose file the system took for the same
             self._forget()
-            rows = self._rows.setdefault(cells[_CAR], [])
-        is_due = not rows or row[0] >= rows[-1][0] + _STEP - STAMP_EPSILON
-        if is_due:
-            rows.append(row)
+            rows = self._rows.setdefault(row.car, [])
+        if not rows or row.time >= rows[-1][0] + _STEP - STAMP_EPSILON:
+            rows.append(_shown(row))
             if len(rows) > _KEPT_ROWS:
                 del rows[1 : _KEPT_ROWS // 2 : 2]
-        names = cells[_CONTACTS]
-        if names and names != self._touching.get(cells[_CAR]):
-            touched = f"{cells[_CAR]} touched {' and '.join(names.split(';'))}"
-            self._note({"time": row[0], "kind": "contact", "text": touched, "x": row[1], "y": row[2]})
-        self._touching[cells[_CAR]] = names
+        if row.contacts and row.contacts != self._touching.get(row.car):
+            touched = f"{row.car} touched {' and '.join(row.contacts.split(';'))}"
+            self._note({"time": row.time, "kind": "contact", "text": touched, "x": row.x, "y": row.y})
+        self._touching[row.car] = row.contacts
+
+    def _draw(self, line: bytes) -> None:
+        """Keep a line of said/journal.py, and forget the oldest if there is too much."""
+        try:
+            told = json.loads(line)
+            drawn = [pack_drawing(Drawing(**each)) for each in told["drawn"]]
+            self._drawn.append({"time": float(told["time"]), "topic": str(told["topic"]), "drawn": drawn})
+        except (ValueError, TypeError, KeyError):
+            return  # somebody has damaged it
+        self._sizes.append(len(line))
+        while sum(self._sizes) > _KEPT_DRAWN and len(self._sizes) > 1:
+            self._drawn.popleft()
+            self._sizes.popleft()
+            self._drawn_before += 1
 
     def _take_interventions(self) -> None:
         try:
@@ -149,15 +161,10 @@ class Feed:
             self._forgotten += 1
 
 
-def _shown(cells: list[str]) -> Optional[list[Any]]:
-    """What is told of a row of a record; None if it is none, which the judge will say."""
-    if len(cells) != len(COLUMNS):
-        return None
-    try:
-        row = [round(float(cells[index]), 4) if cells[index] else None for index in _SHOWN]
-    except ValueError:
-        return None
-    return row if row[0] is not None and all(each is None or math.isfinite(each) for each in row) else None
+def _shown(row: Row) -> list[Any]:
+    """What is told of a row; None for what is not known."""
+    values = (getattr(row, name) for name in _SHOWN)
+    return [None if math.isnan(value) else round(value, 4) for value in values]
 
 
 def _after(rows: list[list[float]], time: float) -> list[list[float]]:

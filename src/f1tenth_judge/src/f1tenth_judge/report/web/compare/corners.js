@@ -1,5 +1,6 @@
 // The corners of a road, and how a car drives through them.
 
+import { wrapped } from "../data/geometry.js";
 import { timeAt } from "./delta.js";
 
 const STEP = 0.25; // m, between two places of the road
@@ -63,10 +64,6 @@ function curvature({ x, y }, index) {
   const [before, here, after] = [at(index - SMOOTH), index, at(index + SMOOTH)];
   const heading = (from, to) => Math.atan2(y[to] - y[from], x[to] - x[from]);
   return wrapped(heading(here, after) - heading(before, here)) / (SMOOTH * STEP);
-}
-
-function wrapped(angle) {
-  return angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI));
 }
 
 // Stretches that bend to one side, in places.

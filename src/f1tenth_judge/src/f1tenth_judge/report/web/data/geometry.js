@@ -24,6 +24,11 @@ export function indexAfter(times, time) {
   return low;
 }
 
+// An angle between -pi and pi.
+export function wrapped(angle) {
+  return angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI));
+}
+
 export function transform(pose, point) {
   const [cosine, sine] = [Math.cos(pose.yaw), Math.sin(pose.yaw)];
   return { x: pose.x + cosine * point.x - sine * point.y, y: pose.y + sine * point.x + cosine * point.y };

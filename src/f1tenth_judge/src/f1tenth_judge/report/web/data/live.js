@@ -45,10 +45,11 @@ export class LiveRuns {
     this.watcher.onState(name);
   }
 
-  async take({ run: name, begins, cars, events }) {
+  async take({ run: name, begins, cars, events, drawn }) {
     if (begins) await this.begin(name, Object.keys(cars));
     const run = this.driven.get(name);
     for (const car of run.cars) car.grow(cars[car.name] ?? [], COLUMNS);
+    for (const { time, topic, drawn: frame } of drawn) run.draw(topic, time, decodeColumns(frame));
     run.end = Math.max(...run.cars.map((car) => car.end));
     if (begins) this.watcher.onBegin(name);
     this.watcher.onNews(name, events);

@@ -1,11 +1,12 @@
 // A run's data as the views need it. The columns' names are those of replay_columns.py.
 
-import { indexAfter, obstaclesOf, rowsOf, shapeOf } from "./geometry.js";
+import { indexAfter, obstaclesOf, rowsOf, shapeOf, wrapped } from "./geometry.js";
 import { Lidar } from "./lidar.js";
 
 // The F1/10 car: its ends seen from base_footprint, wheelbase and track, m.
 const F1TENTH = [-0.1186, 0.4615, -0.155, 0.155, 0.33, 0.2];
 const MOST = 20000; // moments of a car whose data is coming: then the older half loses every second one
+const MOST_FRAMES = 1000; // of a topic, of a run that goes on: the latest
 const QUANTITIES = ["x", "y", "yaw", "speed", "clearance", "steering", "gap", "acceleration", "way", "delta"];
 
 // m/s^2 along the car, over a stretch of moments in which the rounding of the speed does not matter.
@@ -43,7 +44,7 @@ class CarTrack {
     for (const row of rows) {
       const before = this.yaw.at(-1);
       names.forEach((name, column) => this[name].push(row[column] ?? NaN));
-      if (before !== undefined) this.yaw[this.yaw.length - 1] -= 2 * Math.PI * Math.round((this.yaw.at(-1) - before) / (2 * Math.PI));
+      if (before !== undefined) this.yaw[this.yaw.length - 1] = before + wrapped(this.yaw.at(-1) - before);
     }
     this.end = this.time.at(-1) ?? 0;
     if (this.time.length > MOST) for (const name of names) this[name] = this[name].filter((_, index) => index % 2 === 0 || index > MOST / 2);
@@ -91,6 +92,17 @@ export class Run {
       this.walls = shapeOf(world.walls);
       this.still = obstaclesOf(this.walls);
     }
+  }
+
+  // Something is drawn while the run goes on; at the time of the last drawing of a topic it replaces that.
+  draw(topic, time, frame) {
+    let drawing = this.drawings.find((each) => each.topic === topic);
+    if (!drawing && !frame.length) return;
+    if (!drawing) this.drawings.push(drawing = { topic, time: [], frames: [] });
+    if (drawing.time.at(-1) === time) for (const list of [drawing.time, drawing.frames]) list.pop();
+    drawing.time.push(time);
+    drawing.frames.push(frame.map(drawingOf));
+    if (drawing.time.length > MOST_FRAMES) for (const list of [drawing.time, drawing.frames]) list.shift();
   }
 
   modelPose(model, time) {

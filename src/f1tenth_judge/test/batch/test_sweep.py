@@ -12,7 +12,7 @@ import pytest
 from f1tenth_judge.batch import cluster
 from f1tenth_judge.batch import sweep as sweep_module
 from f1tenth_judge.batch.jobs import Outcome
-from f1tenth_judge.batch.sweep_picture import make_figure, mean_interval
+from f1tenth_judge.batch.sweep_picture import make_figure
 from f1tenth_judge.batch.table_file import write_table
 from f1tenth_judge.cli.exit_codes import PASSED
 from f1tenth_judge.places import lookup
@@ -298,9 +298,11 @@ def test_many_whole_values_have_whole_ticks():
     assert all(float(tick).is_integer() for tick in ticks)
 
 
-def test_intervals_are_those_of_the_books():
-    assert mean_interval([1.0, 2.0, 3.0]) == pytest.approx((2.0, 0.8684, 3.1316), abs=1e-4)
-    assert mean_interval([2.0]) == (2.0, 2.0, 2.0)
+@pytest.mark.parametrize(("laps", "interval"), [([1.0, 2.0, 3.0], (-0.4841, 4.4841)), ([2.0], (2.0, 2.0))])
+def test_interval_of_a_mean_is_that_of_the_books(laps, interval):
+    rows = [{**rows_of("mu", ["1"])[0], "lap_time": lap} for lap in laps]
+    _, below = make_figure("t", rows, ["mu"]).axes
+    assert tuple(below.lines[0].get_ydata()) == pytest.approx(interval, abs=1e-4)
 
 
 @pytest.mark.parametrize(("passed", "interval"), [(10, (0.7225, 1.0)), (5, (0.2366, 0.7634))])

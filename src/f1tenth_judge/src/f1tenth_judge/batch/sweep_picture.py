@@ -1,28 +1,18 @@
 """The picture of a sweep: success rate and lap time over each varied value."""
 
-import math
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from f1tenth_judge.atomic import replacing
-from f1tenth_judge.results.intervals import Rate
+from f1tenth_judge.results.intervals import Rate, mean_of
 from f1tenth_judge.scenario.settings import unit_of
 
 _MOST_TICKS = 8
-_Z = 1.959964  # of the normal distribution, for 95 %
-
-
-def mean_interval(values: Sequence[float]) -> tuple[float, float, float]:
-    """Mean of values and its 95 % confidence interval by the normal distribution; no width for one value."""
-    mean = float(np.mean(values))
-    reach = _Z * float(np.std(values, ddof=1)) / math.sqrt(len(values)) if len(values) > 1 else 0.0
-    return mean, mean - reach, mean + reach
 
 
 def write_picture(path: Path, title: str, rows: Sequence[Mapping[str, Any]], varied: Sequence[str]) -> None:
@@ -84,7 +74,7 @@ def _draw_laps(axes, groups):
     for name, rows in groups.items():
         laps = [row["lap_time"] for row in rows if row["lap_time"] is not None]
         if laps:
-            mean, low, high = mean_interval(laps)
+            mean, low, high = mean_of(laps)
             axes.plot([places[name]] * 2, [low, high], color="#9fd9c3", linewidth=5, solid_capstyle="round")
             axes.plot(places[name], mean, "o", color="#12805c")
     _set_ticks(axes, places, numeric)

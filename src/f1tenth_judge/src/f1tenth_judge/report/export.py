@@ -61,27 +61,30 @@ def _draw_moving(path: Path, _kind: str, _result: Mapping[str, Any], record: Rec
     count = min(int(end / _FRAME_PERIOD) + 1, _MOST_FRAMES)
     tracks = [track for track in record.tracks.values() if len(track.time)]
     outlines = [np.array(each) for each in replay.walls.outlines]
-    ways = np.concatenate([_way(track) for track in tracks])
-    ground = Ground(outlines, replay.walls.circles, ways)
-    frames = [_moment(ground, tracks, time) for time in np.linspace(0.0, end, count)]
+    ground = Ground(outlines, replay.walls.circles, np.concatenate([_way(track) for track in tracks]))
+    times = np.linspace(0.0, end, count)
+    poses = [_poses(track, times) for track in tracks]
+    frames = [
+        _moment(ground, [each[index] for each in poses], [track.until(time) for track in tracks])
+        for index, time in enumerate(times)
+    ]
     period = round(1000 * _FRAME_PERIOD)  # ms
     frames[0].save(path, "GIF", save_all=True, append_images=frames[1:], duration=period, loop=0)
 
 
-def _moment(ground: Ground, tracks: Sequence[CarTrack], time: float) -> Image.Image:
-    """The cars at a moment (s), with their ways so far."""
-    driven = [track.until(time) for track in tracks]
-    trails = zip(itertools.cycle(CARS), map(_way, driven))
-    return draw_moment(ground, [_pose(track, time) for track in tracks], trails).quantize(64)
+def _moment(ground: Ground, poses: Sequence[np.ndarray], driven: Sequence[CarTrack]) -> Image.Image:
+    """The cars at a moment, with what they have driven."""
+    return draw_moment(ground, poses, zip(itertools.cycle(CARS), map(_way, driven))).quantize(64)
 
 
 def _way(track: CarTrack) -> np.ndarray:
     return np.column_stack([track.x, track.y])
 
 
-def _pose(track: CarTrack, time: float) -> tuple[float, ...]:
-    values = (track.x, track.y, np.unwrap(track.yaw))
-    return tuple(float(np.interp(time, track.time, each)) for each in values)
+def _poses(track: CarTrack, times: np.ndarray) -> np.ndarray:
+    """(n, 3): x, y (m), yaw (rad) at each of n times (s)."""
+    columns = (track.x, track.y, np.unwrap(track.yaw))
+    return np.column_stack([np.interp(times, track.time, each) for each in columns])
 
 
 def _box(record: Record, walls: Shape) -> tuple[float, float, float, float]:

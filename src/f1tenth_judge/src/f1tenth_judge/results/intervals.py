@@ -3,7 +3,7 @@
 import dataclasses
 import math
 import statistics
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple, Optional
 
 from scipy.stats import binomtest, t
@@ -45,6 +45,13 @@ def change_of_rate(before: Rate, after: Rate) -> Interval:
     return Interval(change, change - low, change + high)
 
 
+def mean_of(values: Sequence[float]) -> Interval:
+    """The mean, with Student's interval; no width for one value."""
+    count = len(values)
+    variance = statistics.variance(values) / count if count > 1 else 0.0
+    return _around(statistics.fmean(values), variance, max(count - 1, 1))
+
+
 def change_of_mean(before: Mapping[int, float], after: Mapping[int, float]) -> Optional[Interval]:
     """By how much a mean has become greater; nothing where there are fewer than two values on a side.
 
@@ -52,7 +59,7 @@ def change_of_mean(before: Mapping[int, float], after: Mapping[int, float]) -> O
     """
     pairs = [after[seed] - before[seed] for seed in sorted(before.keys() & after.keys())]
     if len(pairs) > 1:
-        return _around(statistics.fmean(pairs), statistics.variance(pairs) / len(pairs), len(pairs) - 1)
+        return mean_of(pairs)
     sides = [list(each.values()) for each in (before, after)]
     if min(map(len, sides)) < 2:
         return None

@@ -41,10 +41,11 @@ function embedded(name) {
   return document.getElementById(name).textContent;
 }
 
-export // The address of a moment is #RUN?t=SECONDS.
+// The address of a moment is #RUN?t=SECONDS.
 function readHash() {
   const [name, query] = location.hash.slice(1).split("?");
-  return { name: decoded(name), time: Number(new URLSearchParams(query).get("t")) || 0 };
+  const time = new URLSearchParams(query).get("t");
+  return { name: decoded(name), time: time === null ? null : Number(time) || 0 };
 }
 
 // Anybody may write an address by hand; no run has the name that cannot be read.

@@ -23,7 +23,8 @@ export function formatValue(value, unit = "") {
   if (value === null || value === undefined) return NOTHING;
   if (typeof value !== "number") return String(value);
   const text = Number.isInteger(value) ? String(value) : value.toFixed(3);
-  return text.replace("-", "−") + (unit ? `\u202f${powers(unit)}` : "");
+  const one = value === 1 ? unit.replace(/(?<=^[a-z]{2,})s$/, "") : unit; // 1 contact, 2 contacts
+  return text.replace("-", "−") + (unit ? `\u202f${powers(one)}` : "");
 }
 
 export function formatDate(iso) {

@@ -1,61 +1,32 @@
-// A quantity of the cars over time or along the road, with a cursor that can be dragged.
+// A quantity of the cars over time or along the road, with a cursor.
 
 import { element, themeColours } from "../base/elements.js";
 import { formatNumber } from "../base/format.js";
-import { timeAt } from "../compare/delta.js";
-import { niceRange, niceStep } from "./axis.js";
+import { listenToPointers } from "../base/pointers.js";
+import { axisLabel, digitsOf, niceStep } from "./axis.js";
+import { rangeOf } from "./range.js";
 
-const CHART = { left: 40, right: 10, top: 10, bottom: 20 }; // px around the plot
+const CHART = { left: 44, right: 10, top: 10, bottom: 20 }; // px around the plot
 const UNITS = { time: "s", way: "m" }; // of what is to the right
+const LABEL_WIDTH = 70; // px
 
 export class Chart {
-  // `lines` are {car, ghost: whether it is the run that is compared with}.
-  constructor({ title, unit, quantity, lines, limit = undefined, onSeek }) {
+  // `lines` are {car, ghost: whether it is the run that is compared with}; `span`: what all charts show; `onSeek` is told a place.
+  constructor({ title, unit, quantity, lines, limit = undefined, span, onSeek }) {
     this.quantity = quantity;
     this.lines = lines;
     this.limit = limit;
+    this.span = span;
     this.onSeek = onSeek;
     this.axis = "time";
-    this.canvas = element("canvas", { "aria-label": title });
+    this.canvas = element("canvas", { "aria-label": title, tabindex: "0" });
     this.still = document.createElement("canvas");
     this.value = element("span.value");
     this.root = element(
       "figure.chart", {}, element("figcaption", {}, element("span", {}, unit ? `${title} (${unit})` : title), this.value), this.canvas,
     );
     this.time = 0;
-    this.measure();
-    this.listen();
-  }
-
-  measure() {
-    const box = { low: Math.min(this.limit ?? 0, 0), high: Math.max(this.limit ?? 0, 0.1) };
-    this.begins = Infinity;
-    this.ends = -Infinity;
-    for (const { car } of this.lines) {
-      for (const value of car[this.quantity]) {
-        if (value < box.low) box.low = value;
-        if (value > box.high) box.high = value;
-      }
-      for (const place of car[this.axis]) {
-        if (place < this.begins) this.begins = place;
-        if (place > this.ends) this.ends = place;
-      }
-    }
-    if (this.axis === "time" || !Number.isFinite(this.begins)) this.begins = 0;
-    this.ends = Math.max(this.ends, this.begins + 0.001);
-    this.range = niceRange(box.low, box.high);
-  }
-
-  // The run has become longer.
-  grow() {
-    this.measure();
-    this.refresh();
-  }
-
-  // `time` or `way`.
-  setAxis(axis) {
-    this.axis = axis;
-    this.grow();
+    listenToPointers(this.canvas, this);
   }
 
   resize() {
@@ -70,7 +41,11 @@ export class Chart {
   }
 
   x(place) {
-    return CHART.left + ((place - this.begins) / (this.ends - this.begins)) * this.plot.width;
+    return CHART.left + ((place - this.span.from) / this.span.length) * this.plot.width;
+  }
+
+  placeAt(pixel) {
+    return this.span.from + ((pixel.x - CHART.left) / this.plot.width) * this.span.length;
   }
 
   y(value) {
@@ -80,15 +55,19 @@ export class Chart {
 
   refresh() {
     this.colours = themeColours();
+    this.range = rangeOf(this);
     const context = this.begin(this.still);
     if (!context || !this.plot) return;
     context.clearRect(0, 0, this.canvas.clientWidth, this.canvas.clientHeight);
     this.drawAxes(context);
+    context.save();
+    this.clip(context);
     if (this.limit !== undefined) this.drawLimit(context);
     // The run itself is over the one that it is compared with.
     for (const ghost of [true, false]) {
       for (const line of this.lines.filter((each) => each.ghost === ghost)) this.drawLine(context, line);
     }
+    context.restore();
     this.draw(this.time);
   }
 
@@ -99,6 +78,12 @@ export class Chart {
     return context;
   }
 
+  clip(context) {
+    context.beginPath();
+    context.rect(CHART.left, CHART.top - 1, this.plot.width, this.plot.height + 2);
+    context.clip();
+  }
+
   drawAxes(context) {
     context.font = "11px system-ui, sans-serif";
     context.fillStyle = this.colours.muted;
@@ -107,12 +92,22 @@ export class Chart {
     context.textAlign = "right";
     context.textBaseline = "middle";
     const { low, high, step: rule } = this.range;
-    for (let value = low; value <= high + 1e-9; value += rule) this.drawRule(context, value, String(Number(value.toFixed(3))));
+    for (let number = Math.round(low / rule); number <= Math.round(high / rule); ++number) {
+      context.strokeStyle = number === 0 && low < 0 ? this.colours.muted : this.colours.grid;
+      this.drawRule(context, number * rule, axisLabel(number * rule, rule));
+    }
+    this.drawPlaces(context);
+  }
+
+  drawPlaces(context) {
+    const { from, to, length } = this.span;
+    const step = niceStep(length / Math.max(this.plot.width / LABEL_WIDTH, 1));
     context.textAlign = "center";
     context.textBaseline = "top";
-    const step = niceStep((this.ends - this.begins) / Math.max(this.plot.width / 70, 1));
-    for (let place = Math.ceil(this.begins / step) * step; place <= this.ends; place += step) {
-      context.fillText(`${Number(place.toFixed(2))} ${UNITS[this.axis]}`, this.x(place), CHART.top + this.plot.height + 5);
+    for (let number = Math.ceil(from / step); number * step <= to; ++number) {
+      const text = `${axisLabel(number * step, step)} ${UNITS[this.axis]}`;
+      const most = this.canvas.clientWidth - context.measureText(text).width / 2;
+      context.fillText(text, Math.min(this.x(number * step), most), CHART.top + this.plot.height + 5);
     }
   }
 
@@ -160,10 +155,14 @@ export class Chart {
     context.drawImage(this.still, 0, 0, this.canvas.clientWidth, this.canvas.clientHeight);
     const own = this.lines.filter(({ ghost }) => !ghost).map((line) => ({ line, state: line.car.at(time) }));
     const place = ({ state }) => (this.axis === "time" ? time : state.way);
+    context.save();
+    this.clip(context);
     context.fillStyle = this.colours.text;
     context.fillRect(this.x(place(own[0])) - 0.5, CHART.top, 1, this.plot.height);
     for (const each of own) this.drawDot(context, this.x(place(each)), each.state[this.quantity], this.colourOf(each.line));
-    this.value.textContent = own.map(({ state }) => formatNumber(state[this.quantity], 2)).join("  ");
+    context.restore();
+    const digits = Math.max(2, digitsOf(this.range.step));
+    this.value.textContent = own.map(({ state }) => formatNumber(state[this.quantity], digits)).join("  ");
   }
 
   drawDot(context, x, value, colour) {
@@ -177,18 +176,26 @@ export class Chart {
     context.stroke();
   }
 
-  listen() {
-    const seek = (event) => {
-      const place = this.begins + ((event.offsetX - CHART.left) / this.plot.width) * (this.ends - this.begins);
-      const time = this.axis === "time" ? place : timeAt(this.lines[0].car, place);
-      if (Number.isFinite(time)) this.onSeek(time);
-    };
-    this.canvas.addEventListener("pointerdown", (event) => {
-      this.canvas.setPointerCapture(event.pointerId);
-      seek(event);
-    });
-    this.canvas.addEventListener("pointermove", (event) => {
-      if (this.canvas.hasPointerCapture(event.pointerId)) seek(event);
-    });
+  // What pointers.js asks.
+  press(pixel) {
+    this.onSeek(this.placeAt(pixel));
+  }
+
+  pan(dx, _dy, pixel) {
+    if (this.span.part) this.span.pan((-dx / this.plot.width) * this.span.length);
+    else this.press(pixel);
+  }
+
+  zoom(factor, pixel) {
+    this.span.zoom(factor, this.placeAt(pixel));
+  }
+
+  fit() {
+    this.span.show(null);
+  }
+
+  // Who has not chosen the chart wants to scroll the page. A touchpad's pinch is a wheel with ctrl.
+  takesWheel({ ctrlKey }) {
+    return ctrlKey || document.activeElement === this.canvas;
   }
 }

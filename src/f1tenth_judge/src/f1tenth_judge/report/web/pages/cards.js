@@ -5,7 +5,7 @@ import { formatNumber, formatValue } from "../base/format.js";
 import { table } from "../base/table.js";
 import { driveThrough, lengthOf } from "../compare/corners.js";
 import { LEAD } from "../data/events.js";
-import { MEASURES, changeOf, commitName, droveTheSame } from "./words.js";
+import { MEASURES, breakable, changeOf, commitName, droveTheSame } from "./words.js";
 
 export function tiles(result) {
   const shown = MEASURES.filter(({ of }) => of(result) !== null && of(result) !== undefined);
@@ -29,11 +29,6 @@ export function criteriaCard(result) {
     ],
   }));
   return element("section.card.criteria", {}, element("h2", {}, "Criteria"), table(["", "criterion", "actual", "limit"], rows));
-}
-
-// A name that may be broken after its underscores, and is copied whole.
-function breakable(name) {
-  return name.split(/(?<=_)/).flatMap((part) => [part, element("wbr")]);
 }
 
 function statusMark(status) {

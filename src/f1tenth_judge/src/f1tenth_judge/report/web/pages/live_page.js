@@ -78,7 +78,7 @@ export class LivePage extends RunPage {
   redraw() {
     this.redrawn = performance.now();
     this.view.grow();
-    this.channels.each((chart) => chart.grow());
+    this.channels.grow();
   }
 
   onEnd() {

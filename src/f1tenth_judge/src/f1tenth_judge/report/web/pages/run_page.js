@@ -5,23 +5,27 @@ import { Channels } from "../charts/channels.js";
 import { cornersOf, lengthOf, whereOf } from "../compare/corners.js";
 import { deltaTo } from "../compare/delta.js";
 import { comparisonCard, contactsCard, cornersCard, criteriaCard, culpritCard, lapsCard, linksCard, interventionsCard, problemsCard, tiles, versionsCard } from "./cards.js";
+import { besidesReason, lastSecondCard } from "./last_second.js";
 import { referenceChoice } from "./reference.js";
 import { badge, comparisonText, failedBesides, verdictText, who, winnerText } from "./words.js";
-import { LEAD, eventsOf } from "../data/events.js";
+import { LEAD, decisionOf, eventsOf, slowParts } from "../data/events.js";
 import { Cameras } from "../replay/cameras.js";
 import { Controls } from "../replay/controls.js";
 import { handleKey, keyHelp } from "../replay/keyboard.js";
 import { Player } from "../replay/player.js";
 import { View } from "../replay/view.js";
 
+const STAGE_MARGIN = 12; // px, to the ends of the window
+
 export class RunPage {
-  // `time` (s): what is shown first.
+  // `time` (s): what is shown first; null: what decided the run, or its beginning.
   constructor(report, index, time) {
     this.report = report;
     this.time = time;
     this.index = index;
     this.result = report.runs[index];
     this.events = eventsOf(this.result);
+    this.decision = this.result.live ? null : decisionOf(this.result);
     this.stage = element("section.card.stage", { "aria-busy": "true" }, element("p.note", {}, "Reading the recording…"));
     this.root = element("div.run", {}, this.header(), this.stage, element("div.facts", {}, ...this.cards()));
     this.onResize = () => this.resize();
@@ -66,9 +70,10 @@ export class RunPage {
   cards() {
     const { result } = this;
     this.cornersPlace = element("div");
+    this.lastSecondPlace = element("div");
     this.contactsPlace = element("div", {}, contactsCard(result, this.seek, () => ""));
     return [
-      problemsCard(result), culpritCard(result), criteriaCard(result), comparisonCard(result), this.cornersPlace, lapsCard(result),
+      problemsCard(result), culpritCard(result), this.lastSecondPlace, criteriaCard(result), comparisonCard(result), this.cornersPlace, lapsCard(result),
       this.contactsPlace, interventionsCard(result, this.seek), linksCard(result), versionsCard(result), keyHelp(),
     ].filter(Boolean);
   }
@@ -85,9 +90,8 @@ export class RunPage {
 
   async read() {
     const [run, ghost] = await Promise.all([this.report.replay(this.index), this.report.previous(this.index)]);
-    if (this.closed) return;
-    this.show(run);
-    if (ghost) this.compare(ghost, this.result.previous);
+    if (!this.closed) this.show(run);
+    if (ghost && !this.closed) this.compare(ghost, this.result.previous);
   }
 
   show(run) {
@@ -112,7 +116,7 @@ export class RunPage {
     addEventListener("keydown", this.onKey);
     this.scheme.addEventListener("change", this.onScheme);
     this.resize();
-    this.player.seek(this.time);
+    this.player.seek(this.time ?? Math.max((this.decision?.time ?? 0) - LEAD, 0));
   }
 
   // Lays another run over this one; `result` is that of the other. Both nothing: none.
@@ -124,9 +128,8 @@ export class RunPage {
     const before = this.channels;
     this.channels = this.makeChannels(ghost);
     before.root.replaceWith(this.channels.root);
-    this.channels.each((chart) => chart.resize());
-    this.channels.setAxis(before.axis.value);
-    this.channels.axis.value = before.axis.value;
+    this.channels.resize();
+    this.channels.showAs(before);
     this.view.setGhost(ghost);
     this.showCorners(ghost, result);
     this.draw();
@@ -138,21 +141,23 @@ export class RunPage {
     this.cornersPlace.replaceChildren(...[card].filter(Boolean));
   }
 
-  // Says in which corner something was touched, and in that of the verdict as well.
+  // Says in which corner something happened.
   showPlaces() {
     const { run } = this.view;
-    const where = ({ car: name, start }) => {
-      const car = run.cars.find((each) => each.name === name);
-      return car ? whereOf(this.corners, lengthOf(run.road), car.at(start).way) : "";
-    };
+    const carOf = (name) => run.cars.find((each) => each.name === name);
+    const whereWas = (car, time) => (car ? whereOf(this.corners, lengthOf(run.road), car.at(time).way) : "");
+    const where = ({ car, start }) => whereWas(carOf(car), start);
     this.contactsPlace?.replaceChildren(...[contactsCard(this.result, this.seek, where)].filter(Boolean));
-    const [first] = this.result.verdict === "collision" ? this.result.contacts ?? [] : [];
-    if (first) this.root.querySelector(".reason").append(` ${where(first)}`);
+    if (!this.decision) return;
+    const car = carOf(this.decision.car) ?? run.cars[0];
+    this.root.querySelector(".reason").append(besidesReason(this.result.reason, this.decision, car, whereWas(car, this.decision.time)));
+    this.lastSecondPlace.replaceChildren(lastSecondCard(this.decision, car, run.road));
   }
 
   makeChannels(ghost) {
     const limit = this.result.criteria.find(({ name }) => name === "minimum_clearance")?.limit;
-    return new Channels(this.view.run, ghost, { clearance: limit }, (time) => this.player.seek(time));
+    const on = { onSeek: (time) => this.player.seek(time), onSpan: (times) => this.view.setStretch(times) };
+    return new Channels(this.view.run, ghost, { clearance: limit }, on);
   }
 
   // Puts the address of this moment where it can be copied.
@@ -161,12 +166,14 @@ export class RunPage {
     navigator.clipboard?.writeText(location.href).catch(() => {});
   }
 
-  toggle(part) {
-    this.controls.toggle(part);
-  }
-
   step(direction, event) {
     this.player.seek(this.player.time + direction * (event.shiftKey ? 0.1 : 1));
+  }
+
+  // The whole map, and all of the charts.
+  fit() {
+    this.channels.span.show(null);
+    this.view.fit();
   }
 
   open(step) {
@@ -176,20 +183,22 @@ export class RunPage {
 
   resize() {
     this.view.resize();
-    this.channels.each((chart) => chart.resize());
+    this.channels.resize();
+    // Whose stage is higher than the window scrolls to its end before it stays.
+    this.stage.style.top = `${Math.min(STAGE_MARGIN, innerHeight - this.stage.offsetHeight - STAGE_MARGIN)}px`;
     this.draw();
   }
 
   refresh() {
     this.view.refresh();
-    this.channels.each((chart) => chart.refresh());
+    this.channels.refresh();
   }
 
   draw() {
     const { player, view } = this;
     view.draw(player.time);
     this.cameras.draw(player.time);
-    this.channels.each((chart) => chart.draw(player.time));
+    this.channels.draw(player.time);
     this.controls.draw();
     const [first] = view.states;
     this.stage.dataset.pose = `${first.x.toFixed(3)} ${first.y.toFixed(3)}`;
@@ -207,8 +216,4 @@ export class RunPage {
     removeEventListener("keydown", this.onKey);
     this.scheme.removeEventListener("change", this.onScheme);
   }
-}
-
-function slowParts(events) {
-  return events.filter(({ kind }) => kind === "contact").map(({ time }) => ({ from: time - LEAD, to: time }));
 }

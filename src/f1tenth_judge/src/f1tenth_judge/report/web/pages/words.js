@@ -6,7 +6,7 @@ import { formatNumber, formatValue } from "../base/format.js";
 /** @type {{name: string, unit: string, digits: number, of: (result: any) => any, better: string}[]} */
 export const MEASURES = [
   { name: "lap time", unit: "s", digits: 3, of: (result) => result.times?.lap_time, better: "less" },
-  { name: "finish", unit: "s", digits: 3, of: (result) => result.times?.finish, better: "" },
+  { name: "end", unit: "s", digits: 3, of: (result) => result.times?.finish, better: "" },
   { name: "minimum clearance", unit: "m", digits: 3, of: (result) => result.minimum_clearance, better: "more" },
   { name: "contacts", unit: "", digits: 0, of: (result) => result.contacts?.length, better: "less" },
   { name: "real-time factor", unit: "", digits: 1, of: (result) => result.real_time_factor, better: "" },
@@ -52,7 +52,12 @@ export function who(result) {
   const cars = Object.entries(result.cars ?? {}).filter(([, { planner }]) => planner);
   return cars.map(([car, { planner, driver, description }], index) => element("span.who", { title: `${car}: ${planner} (${driver}) drives ${description}` },
     cars.length > 1 ? element(`span.dot.car-${(index % 4) + 1}`) : null,
-    cars.length > 1 ? `${car} ` : null, element("b", {}, plannerName(planner))));
+    cars.length > 1 ? `${car} ` : null, element("b", {}, ...breakable(plannerName(planner)))));
+}
+
+// A name that may be broken after its underscores and colons, and is copied whole.
+export function breakable(name) {
+  return name.split(/(?<=[_:])/).flatMap((part) => [part, element("wbr")]);
 }
 
 // Who won a race, and by how much.

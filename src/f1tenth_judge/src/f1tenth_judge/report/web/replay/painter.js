@@ -67,13 +67,13 @@ export class Painter {
   }
 
   // The path in the colours of its moments' shades: one stroke a colour, not one a period.
-  path(track, shades, colours, pixels) {
+  path(track, { shades, colours }, pixels, first, last) {
     const { context } = this;
     context.lineCap = "round";
     this.width(pixels);
     colours.forEach((colour, shade) => {
       context.beginPath();
-      for (let index = 1; index < track.x.length; ++index) {
+      for (let index = first + 1; index < last; ++index) {
         if (shades[index] === shade) {
           this.line(track.x[index - 1], track.y[index - 1], track.x[index], track.y[index]);
         }
@@ -150,7 +150,7 @@ export class Painter {
     }
     context.fillStyle = shown;
     context.fill();
-    for (const { x, y, text } of texts) this.label(x, y, text, shown, 11);
+    for (const { x, y, text } of texts) this.label(x, y, text, shown, 11, 0, this.colours.road);
   }
 
   marker(x, y, pixels, fill, text = "") {
@@ -186,7 +186,8 @@ export class Painter {
     }
   }
 
-  label(x, y, text, colour, pixels, dy = 0) {
+  // `halo`: a colour that parts the text from what is below it.
+  label(x, y, text, colour, pixels, dy = 0, halo = "") {
     const { context } = this;
     context.save();
     context.translate(x, y);
@@ -194,6 +195,7 @@ export class Painter {
     context.font = `600 ${pixels}px system-ui, sans-serif`;
     context.textAlign = "center";
     context.textBaseline = "middle";
+    if (halo) Object.assign(context, { strokeStyle: halo, lineWidth: 3, lineJoin: "round" }).strokeText(text, 0, dy);
     context.fillStyle = colour;
     context.fillText(text, 0, dy);
     context.restore();

@@ -1,13 +1,13 @@
 // The top view: a canvas whose still parts are drawn once and copied under the moving ones.
 
 import { element, themeColours } from "../base/elements.js";
+import { listenToPointers } from "../base/pointers.js";
 import { indexAfter } from "../data/geometry.js";
-import { listenToPointers } from "./pointers.js";
+import { drawMoving } from "./moving.js";
 import { Painter } from "./painter.js";
 import { shadesOf } from "./shades.js";
-import { Viewport, boundingBox } from "./viewport.js";
+import { Viewport, boundingBox, boxOfStretch } from "./viewport.js";
 
-const TRAIL = 1.5; // s of the path behind a car that is drawn bold
 const SMALL = 9; // px, of a car's length that is hard to find
 
 export class View {
@@ -23,6 +23,7 @@ export class View {
     this.canvas = element("canvas.map", { tabindex: "0", "aria-label": "Replay, seen from above" });
     this.still = document.createElement("canvas");
     this.time = 0;
+    this.stretch = null;
     listenToPointers(this.canvas, this);
   }
 
@@ -53,6 +54,14 @@ export class View {
   setGhost(ghost) {
     this.ghost = ghost;
     this.grow();
+  }
+
+  // Shows where the cars were in a stretch of time {from, to} (s), that is told from the rest of their ways; null: all.
+  setStretch(stretch) {
+    if (!stretch && !this.stretch) return;
+    this.stretch = stretch;
+    if (!this.shown.follow) this.viewport.fit(stretch ? boxOfStretch(this.run, stretch) : undefined);
+    this.refresh();
   }
 
   // The run has become longer, or is compared with another one.
@@ -100,7 +109,7 @@ export class View {
     const context = this.canvas.getContext("2d");
     context.setTransform(1, 0, 0, 1, 0, 0);
     context.drawImage(this.still, 0, 0);
-    this.drawMoving(this.painter(context));
+    drawMoving(this.painter(context), this);
   }
 
   painter(context) {
@@ -119,11 +128,20 @@ export class View {
     const { x: right, y: bottom } = this.viewport.toMap({ x: this.canvas.clientWidth, y: this.canvas.clientHeight });
     painter.grid({ left, right, bottom, top });
     painter.shape(this.run.walls, this.colours.wall);
+    context.globalAlpha = this.stretch ? 0.2 : 0.7;
+    this.drawPaths(painter);
     context.globalAlpha = 0.7;
-    if (this.isRace) this.run.cars.forEach((car, index) => painter.strokeLine(car, this.colours.cars[index % 4], 1.5));
-    else painter.path(this.run.cars[0], this.shading.shades, this.shading.colours, 2.5);
+    if (this.stretch) this.drawPaths(painter, this.stretch);
     context.globalAlpha = 1;
     this.drawMarks(painter);
+  }
+
+  drawPaths(painter, { from, to } = { from: -Infinity, to: Infinity }) {
+    this.run.cars.forEach((car, index) => {
+      const [first, last] = [Math.max(indexAfter(car.time, from) - 1, 0), indexAfter(car.time, to)];
+      if (this.isRace) painter.strokeLine(car, this.colours.cars[index % 4], 1.5, first, last);
+      else painter.path(car, this.shading, 2.5, first, last);
+    });
   }
 
   // The paths of several cars are told apart by the colours of the cars, one path shows its speed.
@@ -142,64 +160,6 @@ export class View {
     }
     for (const { x, y, number } of this.corners) painter.tag(x, y, `T${number}`);
     for (const { x, y } of this.contacts) painter.cross(x, y, 7);
-  }
-
-  drawMoving(painter) {
-    const { run, shown, time } = this;
-    if (shown.scan) this.drawScans(painter);
-    for (const model of run.models) {
-      const pose = run.modelPose(model, time);
-      if (pose) painter.inFrame(pose, () => painter.shape(model.shape, this.colours.model));
-    }
-    if (shown.plans) this.drawPlans(painter);
-    if (shown.drawings) this.drawDrawings(painter);
-    if (shown.ghost && this.ghost) this.drawGhosts(painter);
-    run.cars.forEach((car, index) => {
-      const last = indexAfter(car.time, time);
-      painter.strokeLine(car, this.isRace ? this.colours.cars[index % 4] : this.colours.text, 3.5, indexAfter(car.time, time - TRAIL), last);
-    });
-    run.cars.forEach((car, index) => {
-      painter.car(this.states[index], car.body, this.colours.cars[index % 4]);
-      if (this.isRace) this.drawName(painter, car, index);
-    });
-  }
-
-  drawScans(painter) {
-    for (const lidar of this.run.lidars) {
-      painter.scan(lidar.points(lidar.car.at(this.time), this.run.obstacles(lidar.car, this.time)));
-    }
-  }
-
-  drawPlans(painter) {
-    const kinds = [[this.run.globalPlans, this.colours.globalPlan, 2], [this.run.localPlans, this.colours.localPlan, 3]];
-    for (const [plans, colour, pixels] of kinds) {
-      for (const { time, lines } of plans) {
-        const index = indexAfter(time, this.time) - 1;
-        if (index >= 0) painter.strokeLine(lines[index], colour, pixels);
-      }
-    }
-  }
-
-  drawDrawings(painter) {
-    for (const { time, frames } of this.run.drawings) {
-      const index = indexAfter(time, this.time) - 1;
-      if (index >= 0) frames[index].forEach((drawing) => painter.drawing(drawing));
-    }
-  }
-
-  drawGhosts(painter) {
-    const bodies = new Map(this.run.cars.map(({ name, body }) => [name, body]));
-    for (const car of this.ghost.cars) {
-      painter.context.setLineDash([4 / painter.scale, 4 / painter.scale]);
-      painter.strokeLine(car, this.colours.ghost, 1.5);
-      painter.context.setLineDash([]);
-      painter.car(car.at(this.time), bodies.get(car.name) ?? car.body, this.colours.ghost, 0.7);
-    }
-  }
-
-  drawName(painter, car, index) {
-    const { x, y } = this.states[index];
-    painter.label(x, y, car.name, this.colours.text, 11, index % 2 ? 22 : -22); // beside a neighbour on the grid
   }
 
   pan(dx, dy) {

@@ -1,6 +1,9 @@
 // Which part of the map frame a canvas shows.
 
+import { indexAfter } from "../data/geometry.js";
+
 const MARGIN = 0.35; // m around what is shown
+const AROUND = 0.6; // m around the way of a car
 
 export class Viewport {
   constructor(box) {
@@ -15,11 +18,12 @@ export class Viewport {
     if (fitted) this.fit();
   }
 
-  fit() {
-    const { left, right, bottom, top } = this.box;
+  // Shows a rectangle: that of all unless told otherwise.
+  fit(box = this.box) {
+    const { left, right, bottom, top } = box;
     this.scale = Math.min(this.size.width / (right - left), this.size.height / (top - bottom));
     this.centre = { x: (left + right) / 2, y: (bottom + top) / 2 };
-    this.fitted = true;
+    this.fitted = box === this.box;
   }
 
   // Pixels per metre are multiplied by `factor`; the point under the pixel stays there.
@@ -61,22 +65,41 @@ export class Viewport {
   }
 }
 
+class Box {
+  constructor() {
+    Object.assign(this, { left: Infinity, right: -Infinity, bottom: Infinity, top: -Infinity });
+  }
+
+  take(xs, ys, margin = 0) {
+    for (let index = 0; index < xs.length; ++index) {
+      this.left = Math.min(this.left, xs[index] - margin);
+      this.right = Math.max(this.right, xs[index] + margin);
+      this.bottom = Math.min(this.bottom, ys[index] - margin);
+      this.top = Math.max(this.top, ys[index] + margin);
+    }
+  }
+
+  withMargin() {
+    if (this.left > this.right) this.take([0], [0], 2);
+    return { left: this.left - MARGIN, right: this.right + MARGIN, bottom: this.bottom - MARGIN, top: this.top + MARGIN };
+  }
+}
+
 // The rectangle around walls and paths.
 export function boundingBox(run) {
-  const box = { left: Infinity, right: -Infinity, bottom: Infinity, top: -Infinity };
-  const take = (xs, ys, margin = 0) => {
-    for (let index = 0; index < xs.length; ++index) {
-      box.left = Math.min(box.left, xs[index] - margin);
-      box.right = Math.max(box.right, xs[index] + margin);
-      box.bottom = Math.min(box.bottom, ys[index] - margin);
-      box.top = Math.max(box.top, ys[index] + margin);
-    }
-  };
-  for (const line of run.walls.outlines) take(line.x, line.y);
-  for (const { x, y, radius } of run.walls.circles) take([x], [y], radius);
-  for (const car of run.cars) take(car.x, car.y, 0.6);
-  if (box.left > box.right) take([0], [0], 2);
-  return {
-    left: box.left - MARGIN, right: box.right + MARGIN, bottom: box.bottom - MARGIN, top: box.top + MARGIN,
-  };
+  const box = new Box();
+  for (const line of run.walls.outlines) box.take(line.x, line.y);
+  for (const { x, y, radius } of run.walls.circles) box.take([x], [y], radius);
+  for (const car of run.cars) box.take(car.x, car.y, AROUND);
+  return box.withMargin();
+}
+
+// The rectangle around where the cars were in a stretch of time (s).
+export function boxOfStretch(run, { from, to }) {
+  const box = new Box();
+  for (const car of run.cars) {
+    const [first, last] = [Math.max(indexAfter(car.time, from) - 1, 0), indexAfter(car.time, to) + 1];
+    box.take(car.x.slice(first, last), car.y.slice(first, last), AROUND);
+  }
+  return box.withMargin();
 }

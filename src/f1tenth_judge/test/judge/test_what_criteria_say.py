@@ -14,8 +14,8 @@ from f1tenth_judge.judge.road import Excursion
 from f1tenth_judge.places import lookup
 from f1tenth_judge.record.observations import Failure
 from f1tenth_judge.record.record import Record
-from f1tenth_judge.record.row import COLUMNS
 from f1tenth_judge.record.replay import Poses
+from f1tenth_judge.record.row import COLUMNS
 from f1tenth_judge.scenario.car import Car, Pose
 from f1tenth_judge.scenario.criteria import Criteria
 from f1tenth_judge.scenario.driver import Driver

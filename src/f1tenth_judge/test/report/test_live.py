@@ -16,8 +16,8 @@ from f1tenth_judge.batch.jobs import Job
 from f1tenth_judge.drivers.starting import start_drivers
 from f1tenth_judge.plan.race import Race, plan_race, save_race
 from f1tenth_judge.record.record import read_record
-from f1tenth_judge.report.live.feed import Feed, Place
 from f1tenth_judge.record.replay import Drawing
+from f1tenth_judge.report.live.feed import Feed, Place
 from f1tenth_judge.report.live.runs import Runs, Watcher
 from f1tenth_judge.report.live.task import task_of
 from f1tenth_judge.report.live.watching import task_of_job, watched

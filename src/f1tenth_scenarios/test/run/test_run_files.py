@@ -9,8 +9,8 @@ import signal
 import psutil
 import pytest
 from f1tenth_judge.errors import ScenarioError
-from f1tenth_judge.record.row import COLUMNS
 from f1tenth_judge.record.replay import read_replay
+from f1tenth_judge.record.row import COLUMNS
 from f1tenth_judge.results.console import summary
 from fake_run import FakeRun, result_of, succeeding
 from PIL import Image

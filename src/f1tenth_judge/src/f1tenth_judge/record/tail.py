@@ -16,7 +16,7 @@ class Tail:
         self.beginnings = 0  # of files, of which each replaced the one before
 
     def new_lines(self) -> list[bytes]:
-        """The lines completed since the last call, of a new file if there is one; none while there is no file."""
+        """The lines completed since the last call, of a new file if there is one; none without a file."""
         try:
             with open(self._path, "rb") as stream:
                 status = os.fstat(stream.fileno())

@@ -13,8 +13,8 @@ from f1tenth_judge.judge.driving_criteria import least_clearance
 from f1tenth_judge.judge.judge import Judgement
 from f1tenth_judge.plan.pins import machine
 from f1tenth_judge.record.record import Record
-from f1tenth_judge.record.row import COLUMNS
 from f1tenth_judge.record.replay import Replay
+from f1tenth_judge.record.row import COLUMNS
 from f1tenth_judge.results.standing import Winner, who, winner_of
 from f1tenth_judge.scenario.scenario import Scenario
 

@@ -92,6 +92,26 @@ def test_processes_are_found_by_their_mark_with_those_that_they_started(start):
     os.kill(next(iter(marked_processes("COLOUR=red 77") - {other.pid})), 9)
 
 
+# The kernel tells nothing of the environment of a process that is about to begin its program.
+SPAWNER = """
+import os, subprocess
+from f1tenth_judge.drivers import rest
+for _ in range(30):
+    child = subprocess.Popen(["sleep", "600"])
+    rest._all_processes = lambda: iter([child.pid, os.getpid()])  # at once
+    found = rest.marked_processes("COLOUR=red 7")
+    child.kill()
+    os.waitid(os.P_PID, child.pid, os.WEXITED | os.WNOWAIT)
+    print(found == {os.getpid(), child.pid}, rest.marked_processes("COLOUR=red 7") == {os.getpid()})
+    child.wait()
+"""
+
+
+def test_process_is_found_before_its_program_has_begun(start):
+    spawner = start(SPAWNER, COLOUR="red 7")
+    assert spawner.stdout.read().splitlines() == ["True True"] * 30
+
+
 def learn(rest, pid):
     """Who polls, from a moment without anything to do."""
     before, began = processor_use([pid]), time.monotonic()

@@ -42,7 +42,11 @@ class ProcessorUse(NamedTuple):
 def marked_processes(mark: str) -> set[int]:
     """The processes of this user that have NAME=VALUE in their environment: inherited, as a rule."""
     wanted = mark.encode()
-    return {pid for pid in _all_processes() if wanted in _environment(pid)}
+    environments = {pid: _environment(pid) for pid in _all_processes()}
+    found = {pid for pid, variables in environments.items() if wanted in variables}
+    # The kernel shows none of a process that is about to begin its program: who has started it is known.
+    beginning = (pid for pid, variables in environments.items() if variables == [b""])
+    return found | {pid for pid in beginning if _parent_of(pid) in found and not has_ended(pid)}
 
 
 def has_ended(pid: int) -> bool:
@@ -267,7 +271,11 @@ def _state_of(folder: str) -> bytes:
 
 
 def _state_in(stat: bytes) -> bytes:
-    return stat[stat.rfind(b")") + 2 :][:1]
+    return _after_name(stat)[:1]
+
+
+def _after_name(stat: bytes) -> bytes:
+    return stat[stat.rfind(b")") + 2 :]
 
 
 def _all_processes() -> Iterator[int]:
@@ -282,7 +290,18 @@ def _threads(pid: int) -> list[int]:
 
 
 def _environment(pid: int) -> list[bytes]:
-    return _read(f"/proc/{pid}/environ", _SEARCH_LIMIT).split(b"\0")
+    """The variables of a process; nothing at all if it is gone or belongs to somebody else."""
+    try:
+        with open(f"/proc/{pid}/environ", "rb", buffering=0) as file:
+            return file.read(_SEARCH_LIMIT).split(b"\0")
+    except OSError:
+        return []
+
+
+def _parent_of(pid: int) -> int:
+    """Which process has started one; 0 if it is gone."""
+    fields = _after_name(_read(f"/proc/{pid}/stat")).split()
+    return int(fields[1]) if fields else 0
 
 
 def _read(path: str, limit: int = _LONGEST_LINE) -> bytes:

@@ -1,5 +1,6 @@
 """What a driver is granted of wall time does not count the time for which others had the processors."""
 
+import ctypes
 import os
 import signal
 import subprocess
@@ -10,6 +11,7 @@ import pytest
 from f1tenth_judge.drivers.granted_time import GrantedTime
 from f1tenth_judge.drivers.rest import ProcessorUse, processor_use
 
+PTRACE_ATTACH = 16
 PIDS = [7]
 ASLEEP = ProcessorUse(False, 0, 0.0, 0)
 
@@ -91,10 +93,25 @@ def test_kernel_tells_how_long_who_shares_a_processor_has_waited():
             each.wait()
 
 
+def test_while_nobody_looks_a_second_counts_at_most(machine):
+    assert machine.pass_by(30.0) == pytest.approx(102.0)
+    assert machine.pass_by(30.0, waited=29.5) == pytest.approx(102.5)
+    assert machine.pass_by(0.5) == pytest.approx(103.0)
+
+
 def test_who_is_stopped_would_run():
     with subprocess.Popen(["sleep", "600"]) as process:
         process.send_signal(signal.SIGSTOP)
         os.waitpid(process.pid, os.WUNTRACED)
+        assert all(use.is_ready for use in processor_use([process.pid]).values())
+        process.kill()
+
+
+def test_who_is_stopped_by_a_debugger_would_run():
+    with subprocess.Popen(["sleep", "600"]) as process:
+        libc = ctypes.CDLL(None, use_errno=True)
+        assert libc.ptrace(PTRACE_ATTACH, process.pid, None, None) == 0
+        os.waitid(os.P_PID, process.pid, os.WSTOPPED | os.WNOWAIT)
         assert all(use.is_ready for use in processor_use([process.pid]).values())
         process.kill()
 

@@ -1,6 +1,7 @@
 """Time that a driver could use: wall time without that for which its threads waited for a processor.
 
 On a busy machine a planner needs longer for the same work, which is not its fault and must change nothing.
+Nor is it when the judge itself was stopped, or had no processor, and so did not see when the planner was ready.
 """
 
 import dataclasses
@@ -10,6 +11,7 @@ from typing import Optional
 from f1tenth_judge.drivers.rest import ProcessorUse, Thread, processor_use
 
 _LOOK_INTERVAL = 0.02  # wall s, between two looks at the threads: there may be many
+_LONGEST = 1.0  # wall s, that count between two calls
 
 
 class GrantedTime:
@@ -32,7 +34,8 @@ class GrantedTime:
         """The time for these processes."""
         wall = self._clock()
         if wall - self._looked >= _LOOK_INTERVAL:
-            self._lost += self._lost_since(self._looked, wall, pids)
+            lost = self._lost_since(self._looked, wall, pids)
+            self._lost += max(lost, wall - self._looked - _LONGEST)
             self._looked = wall
         self._now = max(self._now, wall - self._lost)
         return self._now

@@ -18,7 +18,7 @@ Thread = tuple[int, int]  # ids of the process and of the thread
 Switches = dict[Thread, bytes]  # how often each thread has been switched to: digits
 
 _ASLEEP = b"SIZX"  # waiting, idle, or ended
-_READY = (b"R", b"T")  # running, or stopped by a signal
+_READY = (b"R", b"T", b"t")  # running, or stopped by a signal, a debugger or a profiler
 _MOMENT = 0.015  # s; a sleep that has lasted longer is a long one
 _LONGEST_POLL = 0.003  # s, between two looks of a thread that polls
 _FEWEST_POLLS = 8
@@ -174,6 +174,11 @@ class Rest:
     def _wait_of(self, thread: Thread) -> Optional[bytes]:
         """Where in the kernel a thread sleeps, as far as it tells; None if the thread is only about to."""
         wait = _wait_of(*thread)
+        if self._tells_waits and wait in _NO_WAIT:
+            # Linux 6.12 and later count a thread that has had more than its share as running, though it
+            # sleeps, until it would be its turn again or somebody asks for its system call.
+            _read("/proc/{}/task/{}/syscall".format(*thread))
+            wait = _wait_of(*thread)
         return None if self._tells_waits and wait in _NO_WAIT else wait
 
 

@@ -12,6 +12,7 @@ from f1tenth_judge.drivers.ros2.connection import Connection
 from f1tenth_judge.drivers.ros2.isolation import domain_configuration, private_domain
 from f1tenth_judge.drivers.ros2.messages.basic import Clock
 from f1tenth_judge.drivers.ros2.quality import LATCHED, OFFERED, REQUESTED, mismatches
+from patience import wait_for
 
 RELIABLE, SECOND = Policy.Reliability.Reliable(10**8), 10**9
 QUALITIES = [
@@ -61,18 +62,13 @@ def test_both_sides_of_a_mismatch_are_named(requested, offered, words):
     assert mismatches(requested, offered) == [words]
 
 
-def test_reader_that_comes_while_readers_are_counted_is_counted(monkeypatch):
-    answers = [[7, 8], IndexError("invalid index")]
-
-    def matched(_writer):
-        answer = answers.pop()
-        if isinstance(answer, Exception):
-            raise answer
-        return answer
-
-    monkeypatch.setattr(DataWriter, "get_matched_subscriptions", matched)
+def test_readers_that_have_come_are_counted_until_they_go():
     with private_domain() as number:
         connection = Connection(number)
         connection.offer("clock", Clock, OFFERED)
-        assert connection.hearers("clock") == 2
+        other = DomainParticipant(number)
+        readers = [DataReader(other, Topic(other, "rt/clock", Clock)) for _ in range(2)]
+        assert wait_for(lambda: connection.hearers("clock") == 2)
+        readers.pop()
+        assert wait_for(lambda: connection.hearers("clock") == 1)
         connection.close()

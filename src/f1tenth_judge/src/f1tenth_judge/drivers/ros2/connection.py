@@ -1,6 +1,5 @@
 """What one planner's DDS domain is to the judge: its topics, and who is connected to them."""
 
-import contextlib
 from typing import Any, NamedTuple
 from uuid import UUID
 
@@ -88,10 +87,7 @@ class Connection:
 
     def hearers(self, topic: str) -> int:
         """How many readers are connected to a topic that is offered."""
-        while True:
-            # Python's binding asks for their number, then for them: one may have come in between.
-            with contextlib.suppress(IndexError):
-                return len(self._writers[topic].get_matched_subscriptions())
+        return self._writers[topic].get_publication_matched_status().current_count
 
     def participants(self) -> int:
         """How many participants the domain has besides this one: one per process of a ROS 2 planner."""

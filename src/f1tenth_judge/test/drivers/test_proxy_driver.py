@@ -49,6 +49,7 @@ class FakeWorld:
         self.states = ["steady"]  # of the connections, as long; the last one stays
         self.listens = listens
         self.is_up = True
+        self.is_heard = True
         self._count, self._before, self._after = 0, before, after
         self._asked = 0
 
@@ -77,9 +78,11 @@ class FakeWorld:
 
     def publish_scans(self):
         self.done.append("scan")
+        return self.is_heard
 
     def publish_clock(self, stamp):
         self.done.append(stamp)
+        return self.is_heard
 
     def is_over(self):
         return False
@@ -211,6 +214,34 @@ def test_driver_that_fits_has_started_up_after_some_periods(driver):
     assert world.done[-2:] == ["scan", 39]
 
 
+@pytest.mark.parametrize(
+    ("has_sent", "is_heard", "waits"),
+    [(True, True, 3), (True, False, 1), (False, True, 2), (False, False, 0)],
+)
+def test_who_was_given_nothing_is_at_rest_still(driver, monkeypatch, has_sent, is_heard, waits):
+    driver()
+    world = FakeWorld()
+    one = ProxyDriver(world, MARK, PATIENCE, PATIENCE)
+    for period in range(proxy_driver._STEADY_PERIODS + 1):
+        one.act(period)
+    waited = []
+    monkeypatch.setattr(one._rest, "renew", lambda: waited.append("for rest"))
+    world.is_heard = is_heard
+    one.act("later", has_sent)
+    assert len(waited) == waits
+
+
+def test_who_starts_up_is_waited_for_though_it_seems_to_be_given_nothing(driver, monkeypatch):
+    driver()
+    world = FakeWorld()
+    world.is_heard = False
+    one = ProxyDriver(world, MARK, PATIENCE, PATIENCE)
+    waited = []
+    monkeypatch.setattr(one._rest, "renew", lambda: waited.append("for rest"))
+    one.act("now", has_sent=False)
+    assert len(waited) >= 3
+
+
 def calm_proxy_driver(world):
     """One whose driver has neither connected nor sent a command for a while, and how long it sleeps."""
     slept, gone = [], []
@@ -286,11 +317,11 @@ class UnheardWorld(FakeWorld):
     """Nobody hears the driver's commands before its connections have been asked for."""
 
     def connections(self):
-        self.is_heard = True
+        self.are_heard = True
         return super().connections()
 
     def commands(self):
-        return super().commands() if hasattr(self, "is_heard") else 0
+        return super().commands() if hasattr(self, "are_heard") else 0
 
 
 def test_who_never_rests_and_sends_before_its_first_period_does_not_fit(driver, hurried):

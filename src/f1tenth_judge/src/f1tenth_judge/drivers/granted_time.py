@@ -1,7 +1,7 @@
 """Time that a driver could use: wall time without that for which its threads waited for a processor.
 
 On a busy machine a planner needs longer for the same work, which is not its fault and must change nothing.
-Nor is it when the judge itself was stopped, or had no processor, and so did not see when the planner was ready.
+Nor is it when the judge itself was stopped, or had no processor, and did not see when the planner was ready.
 """
 
 import dataclasses

@@ -84,8 +84,12 @@ class ProxyDriver:
         if self._start and not self._is_without_rest:
             self._let_connect(self._start)
 
-    def act(self, stamp) -> None:
+    def act(self, stamp, has_sent: bool = True) -> None:
         """Let the driver handle a period; returns when it has.
+
+        Args:
+            stamp: the time that the driver is told.
+            has_sent: whether something may have been sent to it since the last period.
 
         Raises:
             MismatchError: while it starts up, the driver does not come to rest, or ignores simulated time.
@@ -93,11 +97,13 @@ class ProxyDriver:
         """
         if not self._is_without_rest:
             self._began = self._time()
-        self._settle(may_spin=True)
-        self._world.publish_scans()
-        self._settle()
-        self._world.publish_clock(stamp)
-        self._settle()
+        # Who was given nothing is at rest still. While it starts up, it may have been given something unseen.
+        if has_sent or self._start:
+            self._settle(may_spin=True)
+        if self._world.publish_scans() or self._start:
+            self._settle()
+        if self._world.publish_clock(stamp) or self._start:
+            self._settle()
         self._hold_for_the_dead()
         if self._start:
             self._watch_start(self._start)

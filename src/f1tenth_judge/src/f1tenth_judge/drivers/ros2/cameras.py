@@ -40,12 +40,14 @@ class Cameras:
             for name, eye in self._eyes.items()
         ]
 
-    def publish(self) -> None:
-        """Publish what is seen now, if it is time for a picture."""
+    def publish(self) -> bool:
+        """Publish what is seen now, if it is time for a picture; whether something was sent."""
         self._periods += 1
-        if self._periods % _PERIODS == 0:
-            for name, eye in self._eyes.items():
-                self._publish(name, eye, Header(Time.of(self._stage.time), _frame(name)))
+        if self._periods % _PERIODS:
+            return False
+        stamp = Time.of(self._stage.time)
+        sent = [self._publish(name, eye, Header(stamp, _frame(name))) for name, eye in self._eyes.items()]
+        return any(sent)
 
     def note(self) -> list[str]:
         """What is not in the pictures, and which may be lost, in words."""
@@ -58,7 +60,7 @@ class Cameras:
         warning = self._stage.look_warning() if self._has_looked else ""
         return [*found, warning] if warning else found
 
-    def _publish(self, name: str, eye: Eye, header: Header) -> None:
+    def _publish(self, name: str, eye: Eye, header: Header) -> bool:
         heard = {topic for topic in (_COLOUR, _DEPTH, _INFO) if self._connection.hearers(f"{name}/{topic}")}
         if _INFO in heard:
             self._connection.publish(f"{name}/{_INFO}", _info(header, eye, self._leftmost[eye.camera]))
@@ -68,6 +70,7 @@ class Cameras:
             for topic, encoding, pixels in ((_COLOUR, "rgb8", colour), (_DEPTH, "32FC1", depth)):
                 if topic in heard:
                     self._connection.publish_whole(f"{name}/{topic}", _image(header, encoding, pixels))
+        return bool(heard)
 
 
 def _name(eye: Eye, eyes: int) -> str:

@@ -1,7 +1,7 @@
 """The topics of one car in its planner's domain: what it senses goes out, what it is told comes in."""
 
 from collections.abc import Iterable
-from typing import Any, Optional
+from typing import Optional
 
 from f1tenth_judge.drivers.ros2 import sensed
 from f1tenth_judge.drivers.ros2.cameras import Cameras
@@ -31,7 +31,10 @@ from f1tenth_judge.run.stage import Command, DriveCommand, Stage, TwistCommand
 
 
 class CarTopics:
-    """Publishes for a car, and for what its planner sees of the other one."""
+    """Publishes for a car, and for what its planner sees of the other one.
+
+    What publishes tells whether it has sent something: nobody waits for what nobody hears.
+    """
 
     def __init__(self, connection: Connection, stage: Stage, car: str, grid: Optional[Grid]):
         """Offer all topics; `grid` is the map, if the place has one."""
@@ -39,7 +42,7 @@ class CarTopics:
         self._stage = stage
         self._car = car
         self._others = [name for name in stage.cars if name != car]
-        self._held: list[Any] = []
+        self._held: list[tuple] = []  # of what scans are made
         self._initial_poses = 0  # that the planner has sent: they move no car
         offers = OFFERS | (MAP_OFFERS if grid else {}) | (OPPONENT_OFFERS if self._others else {})
         for topic, (kind, qos) in offers.items():
@@ -54,34 +57,37 @@ class CarTopics:
         if grid:
             connection.publish(MAP, sensed.map_message(grid))
 
-    def publish_sensed(self) -> None:
+    def publish_sensed(self) -> bool:
         """Publish what the last period has brought, but for the scan, which is held, and the time."""
         time, states = self._stage.time, self._stage.states
-        self._publish(ODOMETRY, sensed.odometry_message, states[self._car], time, EGO)
+        sent = [self._publish(ODOMETRY, sensed.odometry_message, states[self._car], time, EGO)]
         transforms = [sensed.pose_transform(states[self._car], time, EGO)]
         for other in self._others[:1]:  # f1tenth_gym_ros knows two cars
-            self._publish(OPPONENT_ODOMETRY, sensed.odometry_message, states[other], time, OPPONENT)
+            sent.append(
+                self._publish(OPPONENT_ODOMETRY, sensed.odometry_message, states[other], time, OPPONENT)
+            )
             transforms.append(sensed.pose_transform(states[other], time, OPPONENT))
-        self._publish((TF,), TFMessage, transforms)
-        self._publish_imu()
-        self._cameras.publish()
-        if ranges := self._stage.scan(self._car):
-            self._held.append(sensed.scan_message(*ranges, time, EGO))
+        sent.append(self._publish((TF,), TFMessage, transforms))
+        sent += [self._publish_imu(), self._cameras.publish()]
+        if scan := self._stage.scan(self._car):
+            self._held.append((*scan, time, EGO))
+        return any(sent)
 
-    def _publish_imu(self) -> None:
-        if self._connection.hearers(IMU):
-            for time, sample in self._stage.imu_samples(self._car):
-                self._connection.publish(IMU, sensed.imu_message(sample, self._stage.gravity, time, EGO))
+    def _publish_imu(self) -> bool:
+        samples = self._stage.imu_samples(self._car) if self._connection.hearers(IMU) else ()
+        for time, sample in samples:
+            self._connection.publish(IMU, sensed.imu_message(sample, self._stage.gravity, time, EGO))
+        return bool(samples)
 
-    def publish_scans(self) -> None:
+    def publish_scans(self) -> bool:
         """Publish the scans that are held."""
-        for scan in self._held:
-            self._connection.publish(SCAN, scan)
+        sent = [self._publish((SCAN,), sensed.scan_message, *scan) for scan in self._held]
         self._held.clear()
+        return any(sent)
 
-    def publish_clock(self, time: float) -> None:
+    def publish_clock(self, time: float) -> bool:
         """Tell the time (s)."""
-        self._publish((CLOCK,), Clock, Time.of(time))
+        return self._publish((CLOCK,), Clock, Time.of(time))
 
     def is_scan_heard(self) -> bool:
         """Whether somebody has subscribed to scans."""
@@ -99,13 +105,14 @@ class CarTopics:
         messages.sort(key=lambda each: each.sample_info.source_timestamp)
         return [_command(each) for each in messages]
 
-    def _publish(self, topics: Iterable[str], make, *arguments) -> None:
-        """Publish a message on the topics that somebody hears; nobody waits for others."""
+    def _publish(self, topics: Iterable[str], make, *arguments) -> bool:
+        """Publish a message on the topics that somebody hears."""
         heard = [topic for topic in topics if self._connection.hearers(topic)]
         if heard:
             message = make(*arguments)
             for topic in heard:
                 self._connection.publish(topic, message)
+        return bool(heard)
 
 
 def _command(message) -> Command:

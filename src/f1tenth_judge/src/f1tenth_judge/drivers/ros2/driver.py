@@ -88,11 +88,11 @@ class Ros2Driver:
 
     def act(self, stage: Stage) -> None:
         """Let it handle a period; see Driver."""
-        self._topics.publish_sensed()
+        has_sent = self._topics.publish_sensed()
         if self._in_lockstep:
             try:
                 with self._named_mismatch():
-                    self._proxy.act(stage.time)
+                    self._proxy.act(stage.time, has_sent)
             except NotAtRestError as error:
                 self._not_at_rest = error
         else:

@@ -14,7 +14,10 @@ _CONNECTING, _CONNECTING_UNSEEN, _ANNOUNCING = 0.3, 2.0, 3.5
 
 
 class PlannerView:
-    """What the proxy driver sees and does on DDS. All is sent when something that publishes returns."""
+    """What the proxy driver sees and does on DDS.
+
+    All is sent when something that publishes returns: whether somebody hears it.
+    """
 
     def __init__(self, connection: Connection, topics: CarTopics, is_over: Callable[[], bool]):
         """`is_over`: whether the run ends."""
@@ -62,13 +65,13 @@ class PlannerView:
         """Whether a process of the planner has joined the domain."""
         return self._connection.participants() > 0
 
-    def publish_scans(self) -> None:
+    def publish_scans(self) -> bool:
         """Give the planner its scan."""
-        self._topics.publish_scans()
+        return self._topics.publish_scans()
 
-    def publish_clock(self, stamp: float) -> None:
+    def publish_clock(self, stamp: float) -> bool:
         """Tell the planner the time (s)."""
-        self._topics.publish_clock(stamp)
+        return self._topics.publish_clock(stamp)
 
     def new_commands(self) -> list[Command]:
         """The commands since the last call, in order."""

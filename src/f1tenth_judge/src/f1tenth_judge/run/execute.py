@@ -74,8 +74,14 @@ def _drive(plan: Plan, make_drivers: Drivers, stop: StopRequest, progress: Progr
         notes = [driver.note() for driver in drivers.values()]
     seen = Observations(read_record(plan.record_file), failure=failure)
     done = judged(plan, seen, loop.pace.factor, {})
-    note = "; ".join(filter(None, (done.note, *notes)))
-    return dataclasses.replace(done, note=note, inputs=stage.inputs, published=stage.said.replay()), stage
+    done = dataclasses.replace(
+        done,
+        note="; ".join(filter(None, (done.note, *stage.chances, *notes))),
+        inputs=stage.inputs,
+        published=stage.said.replay(),
+        is_repeatable=not stage.chances,
+    )
+    return done, stage
 
 
 def _files(plan: Plan, done: Result, stage: Stage) -> Files:

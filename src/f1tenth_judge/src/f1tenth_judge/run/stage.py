@@ -67,6 +67,7 @@ class Stage:
         }
         self.descriptions = {car: self._simulation.car(number) for car, number in self._ids.items()}
         self.said = said or Said()
+        self.chances: list[str] = []  # by which the run is like no second one, in words
         self._imu: dict[str, list] = {car: [] for car in self._ids}
         self._periods = 0
 

@@ -116,6 +116,19 @@ def test_planner_that_goes_by_the_wall_clock_is_run_in_real_time_and_that_is_sai
     assert "hears /clock" in result["note"]
 
 
+@pytest.mark.parametrize(
+    ("how", "repeatable", "note"),
+    [
+        ("contradicts_itself", True, "robot1: no node of it hears"),
+        ("is_of_two_minds", False, "not repeatable, as at 0."),
+    ],
+)
+def test_run_in_which_processes_race_to_command_is_not_called_repeatable(race, how, repeatable, note):
+    result = race(command("misbehaving", how), settings=["limits.timeout=2"])
+    assert (result["verdict"], result["repeatable"]) == ("timeout", repeatable)
+    assert result["note"].startswith(note)
+
+
 def test_planner_does_not_move_the_car_by_hand(race):
     result = race(command("misbehaving", "puts_itself_elsewhere"), settings=["limits.timeout=2"])
     assert result["verdict"] == "timeout"

@@ -29,6 +29,8 @@ from f1tenth_judge.drivers.ros2.topics import (
 from f1tenth_judge.places.map_file import Grid
 from f1tenth_judge.run.stage import Command, DriveCommand, Stage, TwistCommand
 
+_RIVALS = "not repeatable, as at {:.3f} s several processes command {} at once: the last one counts"
+
 
 class CarTopics:
     """Publishes for a car, and for what its planner sees of the other one.
@@ -43,6 +45,7 @@ class CarTopics:
         self._car = car
         self._others = [name for name in stage.cars if name != car]
         self._held: list[tuple] = []  # of what scans are made
+        self._has_rivals = False  # whether several processes of it have sent different commands at once
         self._initial_poses = 0  # that the planner has sent: they move no car
         offers = OFFERS | (MAP_OFFERS if grid else {}) | (OPPONENT_OFFERS if self._others else {})
         for topic, (kind, qos) in offers.items():
@@ -101,9 +104,14 @@ class CarTopics:
     def take_commands(self) -> list[Command]:
         """What the planner has sent since, in order."""
         self._initial_poses += len(self._connection.take(INITIAL_POSE))
-        messages = [each for topic in COMMANDS for each in self._connection.take(topic)]
-        messages.sort(key=lambda each: each.sample_info.source_timestamp)
-        return [_command(each) for each in messages]
+        taken = [(each, topic) for topic in COMMANDS for each in self._connection.take(topic)]
+        taken.sort(key=lambda each: each[0].sample_info.source_timestamp)
+        commands = [_command(message) for message, _ in taken]
+        if not self._has_rivals and len(set(commands)) > 1:
+            self._has_rivals = len({self._connection.process_of(*each) for each in taken}) > 1
+            if self._has_rivals:
+                self._stage.chances.append(_RIVALS.format(self._stage.time, self._car))
+        return commands
 
     def _publish(self, topics: Iterable[str], make, *arguments) -> bool:
         """Publish a message on the topics that somebody hears."""

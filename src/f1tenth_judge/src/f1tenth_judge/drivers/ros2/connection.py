@@ -85,6 +85,11 @@ class Connection:
         taken = self._readers[topic].take(_MOST)
         return [each for each in taken if not isinstance(each, InvalidSample)]
 
+    def process_of(self, message: Any, topic: str) -> str:
+        """The process that has sent a message of a topic that is requested; empty if it is gone."""
+        sender = self._readers[topic].get_matched_publication_data(message.sample_info.publication_handle)
+        return str(sender.participant_key) if sender else ""
+
     def hearers(self, topic: str) -> int:
         """How many readers are connected to a topic that is offered."""
         return self._writers[topic].get_publication_matched_status().current_count

@@ -1,5 +1,6 @@
 """A planner that goes wrong in the way that its argument names."""
 
+import subprocess
 import sys
 import threading
 import time
@@ -88,6 +89,24 @@ def floods():
     publish = node.publisher("drive", AckermannDriveStamped)
     node.subscribe("scan", LaserScan, lambda scan: [publish(command()) for _ in range(100)])
     node.spin()
+
+
+def contradicts_itself():
+    """Answers each scan twice, from one process."""
+    node = Node()
+    fast, slow = (node.publisher("drive", AckermannDriveStamped) for _ in range(2))
+    node.subscribe("scan", LaserScan, lambda scan: (fast(command(1.0)), slow(command(0.5))))
+    node.spin()
+
+
+def is_of_two_minds():
+    """Answers each scan from two processes."""
+    subprocess.Popen([sys.executable, __file__, "sends_slowly"])
+    answers(1.0)
+
+
+def sends_slowly():
+    answers(0.5)
 
 
 def goes_by_the_wall_clock():

@@ -58,3 +58,16 @@ def test_what_needs_ros_is_refused(tmp_path, old, new, words):
     with pytest.raises(NotApplicableError) as error:
         plan_of(tmp_path, ROS2.replace(old, new, 1))
     assert words in str(error.value)
+
+
+def test_another_planner_takes_the_place_of_somebody_elses(tmp_path):
+    """Where ours drives in no car, and opponents stay."""
+    (tmp_path / "other.py").touch()
+    opponent = "  - {name: robot2, start: {x: 3, y: 0}, driver: pursuit, speed_max: 1.0}\nlimits:"
+    text = ROS2.replace("    goals: circuit1", "    laps: 1").replace("limits:", opponent)
+    file = tmp_path / "mine.yaml"
+    file.write_text(text, encoding="utf-8")
+    plan = make_plan(str(file), settings=[f"planner={{python: '{tmp_path}/other.py:Other'}}"])
+    names = [car.driver.name for car in plan.scenario.cars]
+    assert names[0] == f"{tmp_path}/other.py:Other"
+    assert "pursuit" in names[1]

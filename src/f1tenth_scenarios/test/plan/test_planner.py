@@ -92,8 +92,8 @@ def test_settings_of_our_planner_are_not_for_others(planned):
 @pytest.mark.parametrize(
     ("name", "reason"),
     [
-        ("planner_killed", "it kills robot1/move_base, a node of our planner"),
-        ("into_the_wall", "no car of it is driven by our planner"),
+        ("planner_killed", "it kills robot1/move_base, a node of another planner"),
+        ("into_the_wall", "no planner drives in it, only: commands"),
         ("goal_in_wall", "it expects 'aborted', which says nothing about another planner"),
         ("goal_ahead", "it is about goals, and the planner has no argument 'goals_file'"),
         ("late_start", "it is about the countdown, and the planner has no argument 'time_to_start'"),

@@ -17,7 +17,7 @@ NODES = {
     "race": ("move_base", "race_mgr"),
     "pursuit": ("pure_pursuit",),
     "commands": ("command_driver",),
-    "../launch/drivers/visual_odometry.launch": ("pure_pursuit", "stereo_odometry"),
+    "package://f1tenth_scenarios/launch/drivers/visual_odometry.launch": ("pure_pursuit", "stereo_odometry"),
 }
 
 

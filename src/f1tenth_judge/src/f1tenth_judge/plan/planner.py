@@ -30,7 +30,7 @@ def driver_text(driver: Driver) -> str:
 
 @as_scenario_error(FileError)
 def with_planner(scenario: Scenario, node: yaml.Node, beside: Path) -> Scenario:
-    """The scenario with another planner in all cars that are driven by ours.
+    """The scenario with another planner in all cars that are driven by ours, else by somebody else's.
 
     `node` describes it, as a scenario file describes a driver; its path is relative to `beside`.
 
@@ -40,22 +40,29 @@ def with_planner(scenario: Scenario, node: yaml.Node, beside: Path) -> Scenario:
     """
     planner = read(Driver, node, PLANNER)
     file = driver_file(planner, beside)
-    _require_sense(scenario, file)
+    tested = _tested(scenario)
+    _require_sense(scenario, file, tested)
     circuit = _circuit(scenario, beside)
     cars = (
-        _replaced(scenario, car, planner, file, circuit) if car.driver.is_reference else car
+        _replaced(scenario, car, planner, file, circuit) if car.name in tested else car
         for car in scenario.cars
     )
     return dataclasses.replace(scenario, cars=tuple(cars))
 
 
-def _require_sense(scenario: Scenario, file: DriverFile) -> None:
+def _tested(scenario: Scenario) -> list[str]:
+    """The cars whose planner the scenario tests: ours, else that of whoever wrote it."""
     ours = [car.name for car in scenario.cars if car.driver.is_reference]
-    if not ours:
-        raise NotApplicableError("no car of it is driven by our planner")
+    return ours or [car.name for car in scenario.cars if not car.driver.is_ours]
+
+
+def _require_sense(scenario: Scenario, file: DriverFile, tested: list[str]) -> None:
+    if not tested:
+        drivers = ", ".join(dict.fromkeys(car.driver.name for car in scenario.cars))
+        raise NotApplicableError(f"no planner drives in it, only: {drivers}")
     for fault in scenario.faults:
-        if fault.kill.partition("/")[0] in ours:
-            raise NotApplicableError(f"it kills {fault.kill}, a node of our planner")
+        if fault.kill.partition("/")[0] in tested:
+            raise NotApplicableError(f"it kills {fault.kill}, a node of another planner")
     if scenario.expected is not Verdict.SUCCESS:
         raise NotApplicableError(
             f"it expects '{scenario.expected.value}', which says nothing about another planner"

@@ -125,49 +125,6 @@ def test_saved_map_reads_back(room, tmp_path):
     assert (found.x, found.y) == pytest.approx((room.x, room.y))
 
 
-@pytest.mark.parametrize(
-    ("thresholds", "expected"),
-    [
-        ("", [100, -1, -1, 0]),
-        ("occupied_thresh: 0.45\nfree_thresh: 0.3\n", [100, 100, 0, 0]),
-    ],
-)
-def test_cells_are_those_that_map_server_makes_of_pixels(tmp_path, thresholds, expected):
-    path = tmp_path / "a.yaml"
-    (tmp_path / "a.pgm").write_bytes(b"P5\n4 1\n255\n" + bytes([50, 120, 200, 254]))
-    path.write_text(f"image: a.pgm\nresolution: 0.1\norigin: [0, 0, 0]\n{thresholds}", encoding="utf-8")
-    cells = load_map(path).cells
-    assert cells.dtype == np.int8
-    assert cells.tolist() == [expected]
-
-
-@pytest.mark.parametrize(
-    ("resolution", "origin", "problem"),
-    [
-        ("0", "[0, 0, 0]", "resolution is 0, must be above 0 and finite"),
-        ("-0.05", "[0, 0, 0]", "resolution is -0.05, must be above 0 and finite"),
-        (".nan", "[0, 0, 0]", "resolution is nan, must be above 0 and finite"),
-        (".inf", "[0, 0, 0]", "resolution is inf, must be above 0 and finite"),
-        ("0.05", "[.nan, 2, 0]", "origin is (nan, 2), must be finite"),
-        ("0.05", "[1, -.inf, 0]", "origin is (1, -inf), must be finite"),
-    ],
-)
-def test_number_that_no_map_can_have_is_refused(room, tmp_path, resolution, origin, problem):
-    save_map(room, tmp_path / "a")
-    path = tmp_path / "a.yaml"
-    path.write_text(f"image: a.pgm\nresolution: {resolution}\norigin: {origin}\n", encoding="utf-8")
-    with pytest.raises(MapError) as refused:
-        load_map(path)
-    assert str(refused.value) == f"{path}: not a map in map_server's format: {problem}"
-
-
-def test_a_map_of_another_program_is_judged_by_its_thresholds(room):
-    """White free cells, dark grey walls."""
-    pixels = np.select([room.pixels == 0, room.pixels == 254], [60, 255], 128).astype(np.uint8)
-    other = Grid(pixels, room.x, room.y, occupied_thresh=0.6, free_thresh=0.3)
-    assert check_map(other, ROOM, []) == check_map(room, ROOM, [])
-
-
 def test_coarse_maps_may_err_by_their_cells(room):
     """Of 0.2 m, occupied where any of the 16 small ones is."""
     rows, columns = (size // 4 * 4 for size in room.pixels.shape)

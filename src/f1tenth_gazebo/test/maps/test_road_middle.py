@@ -161,18 +161,14 @@ def test_command_writes_the_line_beside_the_map_and_names_a_map_without_a_road(t
 
 def test_command_names_a_map_that_is_not_there(tmp_path, capsys):
     assert make_centerline([str(tmp_path / "none.yaml")]) == 1
-    assert capsys.readouterr().err == f"{tmp_path / 'none.yaml'}: cannot be read: No such file or directory\n"
+    assert capsys.readouterr().err == f"{tmp_path / 'none.yaml'}: no such file, or it cannot be read\n"
 
 
 def test_an_image_that_claims_too_many_pixels_is_refused_by_its_name(tmp_path):
     save_map(ring(), tmp_path / "lab")
-    for size, problem in (
-        ("14000 13000", "has too many pixels"),
-        ("11000 10000", "has 11000 x 10000 pixels"),
-    ):
-        (tmp_path / "lab.pgm").write_text(f"P5 {size} 255\n")
-        with pytest.raises(MapError, match=f"lab.pgm {problem}, allowed are 1 to 100000000$"):
-            load_map(tmp_path / "lab.yaml")
+    (tmp_path / "lab.pgm").write_text("P5 11000 10000 255\n")
+    with pytest.raises(MapError, match="lab.pgm: has 11000 x 10000 pixels, allowed are 1 to 100000000$"):
+        load_map(tmp_path / "lab.yaml")
 
 
 def test_map_says_what_is_free_and_must_not_be_turned(tmp_path):

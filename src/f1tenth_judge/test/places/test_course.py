@@ -1,5 +1,7 @@
 """The road, from a circuit and from a centreline of others."""
 
+import math
+
 import numpy as np
 import pytest
 from f1tenth_judge.errors import ScenarioError
@@ -7,6 +9,22 @@ from f1tenth_judge.places import lookup
 from f1tenth_judge.places.course import read_course
 
 SQUARE = "# x_m, y_m, w_tr_right_m, w_tr_left_m\n0, 0, 1, 0.5\n10, 0, 1, 0.5\n10, 10, 1, 0.5\n0, 10, 1, 0.5\n"
+
+
+def circle(count):
+    """Points on a circle of 5 m."""
+    return [(5 * math.cos(k * math.tau / count), 5 * math.sin(k * math.tau / count)) for k in range(count)]
+
+
+def rows(values):
+    return "".join(", ".join(f"{value:.9g}" for value in row) + "\n" for row in values)
+
+
+def test_road_may_run_either_way_and_name_its_first_point_again(tmp_path):
+    path, line = tmp_path / "c.csv", [(x, y, 1.0, 0.5) for x, y in circle(40)]
+    for each in (line, line[::-1], [*line, line[0]], [*line[:-1]]):
+        path.write_text(rows(each), encoding="utf-8")
+        assert read_course(path).length == pytest.approx(31.4, abs=0.1)
 
 
 @pytest.fixture
@@ -49,8 +67,20 @@ def test_circuit_of_the_workspace_is_one():
         ("1, 2, 3\n", ":1: found '1, 2, 3', allowed is x_m, y_m, w_tr_right_m, w_tr_left_m"),
         ("# c\n1, 2, 3, x\n", ":2: found '1, 2, 3, x', allowed is"),
         ("1, 2, 3, -4\n", ":1: found '1, 2, 3, -4', allowed is"),
-        ("1, 2, 3, 4\n3, 2, 3, 4\n", ": must be at least 3 different points"),
-        ("1, 2\n3, 2\n3, 4\n", ": must be at least 3 different points"),
+        (
+            "1, 2, 3, 4\n3, 2, 3, 4\n",
+            ": found 2 different points of 4 numbers, must be at least 3: x_m, y_m, w",
+        ),
+        ("1, 2\n3, 2\n3, 4\n", ": found 3 different points of 2 numbers, must be at least 3: x_m, y_m, w_tr"),
+        ("0, 1, 2, 1, 1\n1, 9, 2, 1, 1\n", ":1: found '0, 1, 2, 1, 1', allowed is x_m, y_m, w_tr_right_m"),
+        (
+            rows([(48.1 + x / 1e5, 11.5 + y / 1e5, 1.5, 1.5) for x, y in circle(40)]),
+            ": is 0.000314 m long for a road 3 m wide; all numbers must be in m",
+        ),
+        (
+            rows([(x, y, 1.0, 1.0) for x, y in circle(40)[:20]]),
+            ": its ends are 9.97 m apart, other points at most 0.785 m; it must be closed",
+        ),
     ],
 )
 def test_what_is_no_centreline_is_refused(tmp_path, text, problem):

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +26,24 @@ SearchPath searchPathFromEnvironment();
 /// beside X_map.yaml.
 /// @throws LoadError for a missing or malformed file and for what would make the simulation wrong
 WorldDescription loadWorld(const std::string & path, const SearchPath & search_path = {});
+
+/// An occupancy-grid map.
+struct MapGrid
+{
+  std::size_t columns{0};
+  std::size_t rows{0};
+  double resolution{0.0};          ///< m, edge length of a cell
+  Pose2 origin;                    ///< of the lower left corner, m and rad
+  std::vector<std::int8_t> cells;  ///< row by row, the lowest first: one of those below
+
+  static constexpr std::int8_t kOccupied = 100, kFree = 0, kUnknown = -1;
+
+  bool isOccupied(std::size_t column, std::size_t row) const { return cells[row * columns + column] == kOccupied; }
+};
+
+/// Reads a map in map_server's format. What is neither occupied nor free is unknown, in mode scale, too.
+/// @throws LoadError naming file, line and key
+MapGrid readMap(const std::string & path);
 
 /// A point in the middle of a road, and how far the road reaches to either side, m.
 struct CentrelinePoint

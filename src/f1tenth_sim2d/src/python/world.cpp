@@ -83,6 +83,13 @@ py::array centrelineOf(const std::filesystem::path & path)
   return line.has_widths ? py::array(all) : py::array(all[py::make_tuple(py::ellipsis(), py::slice(0, 2, 1))]);
 }
 
+py::tuple mapOf(const std::filesystem::path & path)
+{
+  const MapGrid map = readMap(path.string());
+  const py::array_t<std::int8_t> cells({map.rows, map.columns}, map.cells.data());
+  return py::make_tuple(cells, map.resolution, py::make_tuple(map.origin.x, map.origin.y, map.origin.yaw));
+}
+
 std::vector<ModelDescription> loadModels(
   const std::string & xml, const std::string & name, const std::string & source, double x, double y, double z,
   double yaw)
@@ -162,6 +169,18 @@ Raises:
     LoadError: a missing or malformed file, or something that would make the simulation wrong.
 )",
     py::call_guard<py::gil_scoped_release>());
+  module.def(
+    "read_map", &mapOf, py::arg("path"),
+    R"(Read the cells of an occupancy-grid map in map_server's format, as load_world reads it.
+
+Returns:
+    (cells, resolution, origin): cells is an int8 array of shape (rows, columns), the lowest row first: 100 is
+    occupied, 0 free, -1 neither; resolution is the edge length of a cell, m; origin the pose (x, y, yaw) of the
+    lower left corner, m and rad.
+
+Raises:
+    LoadError: a missing or malformed file.
+)");
   module.def(
     "read_centreline", &centrelineOf, py::arg("path"),
     R"(Read the centreline of a track, a file X_centerline.csv of f1tenth_racetracks.

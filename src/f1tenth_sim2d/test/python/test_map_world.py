@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from conftest import CAR
 from PIL import Image
+from shapely.affinity import rotate
 from shapely.geometry import Polygon, box
 from shapely.ops import unary_union
 
@@ -118,6 +119,55 @@ def test_alpha_counts_like_a_colour_in_trinary_mode(write):
     assert area(write(yaml, name="room.tif")).area == 0.0, "map_server's library gives every TIFF an alpha"
 
 
+OTHER_KEYS = [
+    "",
+    "mode: scale\n",
+    "mode: raw\n",
+    "negate: 1\n",
+    "negate: '0'\n",
+    "negate: true\n",
+    "origin: [-1.0, 2.0, 0.7]\n",
+    "occupied_thresh: 0.19\nfree_thresh: 0.1\n",
+]
+
+
+@pytest.mark.parametrize("mode", ["L", "P", "RGBA", "I;16"])
+@pytest.mark.parametrize("keys", OTHER_KEYS)
+def test_cells_are_read_as_the_walls_are(write, mode, keys):
+    given = {line.split(":")[0] for line in keys.splitlines()}
+    kept = [line for line in YAML.splitlines(keepends=True) if line.split(":")[0] not in given]
+    deep = mode == "I;16"
+    pixels = np.array([[0, 60, 70, 254], [90, 254, 205, 0], [10, 100, 101, 255]], np.uint8)
+    path = write(
+        "".join(kept) + keys, pixels.astype(np.uint16) << 8 if deep else pixels, mode=None if deep else mode
+    )
+    read, resolution, (x, y, yaw) = f1tenth_sim2d.read_map(path)
+    assert (read.dtype, read.shape, resolution) == (np.int8, pixels.shape, 0.5)
+    assert (x, y, yaw) == (-1.0, 2.0, 0.7 if "origin" in given else 0.0)
+    walls = rotate(cells(read[::-1] == 100), math.degrees(yaw), origin=(x, y))
+    assert area(path).symmetric_difference(walls).area == pytest.approx(0.0, abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("keys", "expected"),
+    [
+        ("", [100, -1, -1, 0]),
+        ("mode: scale\n", [100, -1, -1, 0]),
+        ("mode: raw\n", [-1, -1, -1, -1]),
+        ("negate: 1\n", [-1, -1, 100, 100]),
+    ],
+)
+def test_what_is_neither_occupied_nor_free_is_unknown(write, keys, expected):
+    yaml = (YAML if "negate" not in keys else YAML.replace("negate: 0\n", "")) + keys
+    read, *_ = f1tenth_sim2d.read_map(write(yaml, np.array([[50, 120, 200, 254]], np.uint8)))
+    assert read.tolist() == [[*expected]]
+
+
+def test_raw_values_are_percent(write):
+    path = write(YAML + "mode: raw\n", np.array([[0, 19, 20, 65, 66, 100, 101]], np.uint8))
+    assert f1tenth_sim2d.read_map(path)[0].tolist() == [[0, 0, -1, -1, 100, 100, -1]]
+
+
 def pgm(kind, white, values):
     head = f"{kind}\n# made by hand\n{values.shape[1]} {values.shape[0]}\n{white}\n".encode()
     if kind == "P2":
@@ -149,6 +199,16 @@ def test_origin_may_be_turned(write):
     assert with_four.equals(area(write())), "what comes after is left aside, as map_server does"
     turned = area(write(YAML.replace("2.0, 0.0]", "2.0, 1.5707963267948966]")))
     assert turned.bounds == pytest.approx((-2.5, 2.0, -1.0, 4.0))
+
+
+def test_yaw_that_is_more_than_a_turn_is_told(write):
+    warnings = [
+        f1tenth_sim2d.load_world(write(YAML.replace("2.0, 0.0]", f"2.0, {yaw}]"))).warnings
+        for yaw in ("-1.57", "6.28", "90")
+    ]
+    assert warnings[:2] == [[], []]
+    (told,) = warnings[2]
+    assert told.endswith("room_map.yaml:3: the yaw of origin is 90 rad, more than a turn")
 
 
 def test_car_meets_the_walls_it_sees(write, car):
@@ -277,6 +337,7 @@ def error(path):
             f"room_map.yaml: {NO_IMAGE}",
         ),
         ("image: ", "image: [", "room_map.yaml:2: not YAML: end of sequence flow not found"),
+        ("negate: 0", "resolution: 5", "room_map.yaml:4: resolution: is given twice, first in line 2"),
     ],
 )
 def test_mistakes_in_the_yaml_file_are_named(write, tmp_path, old, new, message):
@@ -360,6 +421,7 @@ def test_grey_that_is_made_transparent_is_refused(write, tmp_path):
         ("1.0, 2.0\n1.0, nan\n", f":2: found '1.0, nan', {COLUMNS}"),
         ("1.0, 2.0\n1.0, 3.0, 1, 1\n", f":2: found '1.0, 3.0, 1, 1', {COLUMNS}"),
         ("1.0, 2.0, 1.0\n", f":1: found '1.0, 2.0, 1.0', {COLUMNS}"),
+        ("0, 1.0, 2.0, 1, 1\n", f":1: found '0, 1.0, 2.0, 1, 1', {COLUMNS}"),
         ("1.0, 2.0, 1, 0\n", f":1: found '1.0, 2.0, 1, 0', {COLUMNS}"),
         ("1.0, 2.0, -1, 1\n", f":1: found '1.0, 2.0, -1, 1', {COLUMNS}"),
         ("1.0, 2.0\n1.0, 2.0\n", ": has 1 different points, allowed are 2 or more"),

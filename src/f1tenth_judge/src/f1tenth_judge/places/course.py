@@ -12,6 +12,7 @@ from f1tenth_judge.places.centreline import centreline
 from f1tenth_judge.places.circuit_file import load_circuit
 
 _LEAST_POINTS = 3  # of a closed line
+_LEAST_GAP = 5.0  # steps between its other points, by which the ends of an open one are apart
 
 _STEP = 0.01  # m, of a look for the edge of the road
 
@@ -146,7 +147,24 @@ def _from_circuit(path):
 def _from_table(path):
     with as_scenario_error(f1tenth_sim2d.Error):
         rows = f1tenth_sim2d.read_centreline(path)
-    if rows.shape[1] != 4 or len(rows) < _LEAST_POINTS:
-        columns = "x_m, y_m, w_tr_right_m, w_tr_left_m"
-        raise ScenarioError(f"{path}: must be at least {_LEAST_POINTS} different points: {columns}")
-    return Course(*rows.T)
+    count, columns = rows.shape
+    if columns != 4 or count < _LEAST_POINTS:
+        raise ScenarioError(
+            f"{path}: found {count} different points of {columns} numbers, must be at least {_LEAST_POINTS}:"
+            " x_m, y_m, w_tr_right_m, w_tr_left_m"
+        )
+    course = Course(*rows.T)
+    if problem := _problem(course):
+        raise ScenarioError(f"{path}: {problem}")
+    return course
+
+
+def _problem(course: Course) -> str:
+    """Why a line is not the middle of a road that leads back to its beginning; empty if it may be."""
+    widths = course.right + course.left
+    if course.length <= widths.max():
+        return f"is {course.length:.3g} m long for a road {widths.max():.3g} m wide; all numbers must be in m"
+    *steps, gap = np.diff(course.along())
+    if gap > max(widths[0], _LEAST_GAP * max(steps)):
+        return f"its ends are {gap:.3g} m apart, other points at most {max(steps):.3g} m; it must be closed"
+    return ""

@@ -1,29 +1,26 @@
 """A map as map_saver writes it: NAME.pgm and NAME.yaml."""
 
-import contextlib
-import math
-import warnings
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
 import numpy as np
-import yaml
-from PIL import Image
 
+import f1tenth_sim2d
 from f1tenth_judge.atomic import write_all
 from f1tenth_judge.errors import MapError
 
 RESOLUTION = 0.05
 """m per cell"""
 OCCUPIED, UNKNOWN, FREE = 100, -1, 0  # cells of a nav_msgs/OccupancyGrid
-_PIXELS_MAX = 100_000_000  # as the simulator
-_YAML = """image: {image}
-resolution: {resolution:.6f}
-origin: [{x:.6f}, {y:.6f}, 0.000000]
+_BLACK, _GREY, _WHITE = 0, 205, 254  # as map_saver draws them
+_OCCUPIED_THRESH, _FREE_THRESH = 0.65, 0.196  # how dark, from white 0 to black 1
+_YAML = f"""image: {{image}}
+resolution: {{resolution:.6f}}
+origin: [{{x:.6f}}, {{y:.6f}}, 0.000000]
 negate: 0
-occupied_thresh: 0.65
-free_thresh: 0.196
+occupied_thresh: {_OCCUPIED_THRESH}
+free_thresh: {_FREE_THRESH}
 
 """
 
@@ -36,8 +33,6 @@ class Grid:
     x: float  # m
     y: float  # m
     resolution: float = RESOLUTION  # m
-    free_thresh: float = 0.196  # how dark a free pixel is at most: 0 is white, 1 black
-    occupied_thresh: float = 0.65  # and how dark one of a wall is at least
     yaw: float = 0.0  # rad, of its rows
 
     @property
@@ -50,13 +45,12 @@ class Grid:
     def cells(self):
         """Those of a nav_msgs/OccupancyGrid, int8, as map_server makes them from pixels (mode trinary)."""
         dark = (255.0 - self.pixels) / 255.0
-        return np.select(
-            [dark > self.occupied_thresh, dark < self.free_thresh], [OCCUPIED, FREE], UNKNOWN
-        ).astype(np.int8)
+        known = [dark > _OCCUPIED_THRESH, dark < _FREE_THRESH]
+        return np.select(known, [OCCUPIED, FREE], UNKNOWN).astype(np.int8)
 
 
 def load_map(path, may_be_turned=False):
-    """Read a map in map_server's format, dark where something is.
+    """Read a map in map_server's format, dark where something is, as the simulator reads it.
 
     Args:
         path: of the YAML file.
@@ -66,59 +60,13 @@ def load_map(path, may_be_turned=False):
         MapError: it is not one, or a file of it cannot be read.
     """
     try:
-        description = yaml.safe_load(path.read_text(encoding="utf-8"))
-        if not isinstance(description, dict):
-            raise ValueError("it has no keys")
-        pixels = _pixels(path.parent / description["image"])
-        x, y, resolution = _placement(description)
-        pixels = 255 - pixels if description.get("negate") else pixels
-        free, occupied = (
-            float(description.get(key, getattr(Grid, key))) for key in ("free_thresh", "occupied_thresh")
-        )
-        yaw = sum(map(float, description["origin"][2:3]))
-        grid = Grid(pixels, x, y, resolution, free, occupied, yaw)
-    except (OSError, ValueError, KeyError, TypeError, RecursionError, yaml.YAMLError) as error:
-        raise MapError(_problem(path, error)) from error
+        cells, resolution, (x, y, yaw) = f1tenth_sim2d.read_map(path)
+    except f1tenth_sim2d.Error as error:
+        raise MapError(str(error)) from error
     if yaw and not may_be_turned:
         raise MapError(f"{path}: its origin is turned by {yaw:g} rad, must not be turned")
-    return grid
-
-
-@contextlib.contextmanager
-def _without_warning():
-    """Pillow warns of fewer pixels than are too many here."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", Image.DecompressionBombWarning)
-        yield
-
-
-def _pixels(path):
-    """Shape (rows, columns), uint8, row 0 at the bottom."""
-    try:
-        with _without_warning(), Image.open(path) as image:
-            width, height = image.size
-            if width * height > _PIXELS_MAX:
-                raise ValueError(f"{path.name} has {width} x {height} pixels, allowed are 1 to {_PIXELS_MAX}")
-            return np.asarray(image.convert("L"))[::-1]
-    except Image.DecompressionBombError as error:
-        raise ValueError(f"{path.name} has too many pixels, allowed are 1 to {_PIXELS_MAX}") from error
-
-
-def _placement(description):
-    """Where the lower left corner is, x and y (m), and the resolution (m per cell)."""
-    x, y, resolution = map(float, (*description["origin"][:2], description["resolution"]))
-    if not 0.0 < resolution < math.inf:
-        raise ValueError(f"resolution is {resolution:g}, must be above 0 and finite")
-    if not (math.isfinite(x) and math.isfinite(y)):
-        raise ValueError(f"origin is ({x:g}, {y:g}), must be finite")
-    return x, y, resolution
-
-
-def _problem(path, error):
-    if isinstance(error, OSError) and error.strerror:
-        return f"{error.filename or path}: cannot be read: {error.strerror}"
-    text = " ".join(str(error).split())
-    return f"{path}: not a map in map_server's format: {text}"
+    shades = np.select([cells == OCCUPIED, cells == FREE], [_BLACK, _WHITE], _GREY)
+    return Grid(shades.astype(np.uint8), x, y, resolution, yaw)
 
 
 def map_files(grid, stem):

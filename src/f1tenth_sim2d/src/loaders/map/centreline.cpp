@@ -40,7 +40,7 @@ Row numbersOf(const std::string & line)
 
 bool isSound(const Row & row)
 {
-  return row.size() == 2 || (row.size() >= 4 && row[2] > 0.0 && row[3] > 0.0);
+  return row.size() == 2 || (row.size() == 4 && row[2] > 0.0 && row[3] > 0.0);
 }
 
 /// Recorders of waypoints log a car that stands many times, and some files close the line with its first point.

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <map>
 
 #include "f1tenth_sim2d/errors.h"
 #include "loaders/files/farthest.h"
@@ -30,6 +31,7 @@ public:
     if (!root_.IsMap()) {
       throw LoadError(path_, "", "not a map description, allowed are lines 'key: value'");
     }
+    requireOnce();
     for (const char * const key : kRequiredKeys) {
       if (!root_[key]) {
         throw LoadError(path_, key, "is missing");
@@ -114,14 +116,36 @@ public:
     for (const auto & entry : root_) {
       const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "";
       if (key != "mode" && std::find(kRequiredKeys.begin(), kRequiredKeys.end(), key) == kRequiredKeys.end()) {
-        result.push_back(
-          path_ + ":" + std::to_string(entry.first.Mark().line + 1) + ": key '" + key + "' has no meaning");
+        result.push_back(placed(entry.first, "key '" + key + "' has no meaning"));
       }
+    }
+    if (const double yaw = pose("origin").yaw; std::abs(yaw) > 2.0 * M_PI) {
+      result.push_back(placed(root_["origin"], "the yaw of origin is " + toText(yaw) + " rad, more than a turn"));
     }
     return result;
   }
 
 private:
+  std::string placed(const YAML::Node & node, const std::string & text) const
+  {
+    return path_ + ":" + std::to_string(node.Mark().line + 1) + ": " + text;
+  }
+
+  /// Of a key that is given twice, readers of YAML take the first or the last value.
+  void requireOnce() const
+  {
+    std::map<std::string, int> lines;
+    for (const auto & entry : root_) {
+      const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "";
+      const int line = entry.first.Mark().line + 1;
+      const auto [first, is_new] = lines.emplace(key, line);
+      if (!is_new) {
+        throw LoadError(
+          path_ + ":" + std::to_string(line), key, "is given twice, first in line " + std::to_string(first->second));
+      }
+    }
+  }
+
   YAML::Node load() const
   {
     try {
@@ -161,9 +185,9 @@ MapMetadata readMapMetadata(const std::string & path)
   metadata.origin = keys.pose("origin");
   metadata.negate = keys.flag("negate");
   metadata.occupied_thresh = keys.number("occupied_thresh", 0.0, 1.0, "a number from 0 to 1");
-  const double free_thresh = keys.number("free_thresh", 0.0, 1.0, "a number from 0 to 1");
+  metadata.free_thresh = keys.number("free_thresh", 0.0, 1.0, "a number from 0 to 1");
   metadata.mode = keys.mode();
-  keys.requireOrder(free_thresh, metadata.occupied_thresh, metadata.mode != MapMetadata::Mode::kScale);
+  keys.requireOrder(metadata.free_thresh, metadata.occupied_thresh, metadata.mode != MapMetadata::Mode::kScale);
   metadata.warnings = keys.warnings();
   return metadata;
 }

@@ -24,6 +24,7 @@ struct MapMetadata
   Pose2 origin;            ///< of the lower left corner of the image
   bool negate{false};
   double occupied_thresh{0.65};
+  double free_thresh{0.196};
   Mode mode{Mode::kTrinary};
   std::vector<std::string> warnings;  ///< keys that have no meaning
 };

@@ -11,13 +11,13 @@ using Cells = boost::polygon::polygon_90_set_data<int>;  // in cells, so that no
 using Polygon = boost::polygon::polygon_90_with_holes_data<int>;
 using Block = boost::polygon::rectangle_data<int>;
 
-Cells occupiedCells(const CellGrid & grid)
+Cells occupiedCells(const MapGrid & grid)
 {
   Cells cells;
   for (std::size_t row = 0; row < grid.rows; ++row) {
     for (std::size_t column = 0; column < grid.columns; ++column) {
       const auto left = static_cast<int>(column);
-      while (column < grid.columns && grid.at(column, row)) {
+      while (column < grid.columns && grid.isOccupied(column, row)) {
         ++column;
       }
       const auto right = static_cast<int>(column);
@@ -42,7 +42,7 @@ Outline outlineOf(const Corners & corners, double resolution)
 }
 }  // namespace
 
-Polyline wallsOf(const CellGrid & grid, double resolution, double height)
+Polyline wallsOf(const MapGrid & grid, double height)
 {
   const Cells cells = occupiedCells(grid);
   std::vector<Polygon> polygons;
@@ -52,14 +52,14 @@ Polyline wallsOf(const CellGrid & grid, double resolution, double height)
   Polyline walls;
   walls.height = height;
   for (const Polygon & polygon : polygons) {
-    walls.outlines.push_back(outlineOf(polygon, resolution));
+    walls.outlines.push_back(outlineOf(polygon, grid.resolution));
     std::for_each(polygon.begin_holes(), polygon.end_holes(), [&](const auto & hole) {
-      walls.outlines.push_back(outlineOf(hole, resolution));
+      walls.outlines.push_back(outlineOf(hole, grid.resolution));
     });
   }
   for (const Block & block : blocks) {
-    const Vec2 low{xl(block) * resolution, yl(block) * resolution};
-    const Vec2 high{xh(block) * resolution, yh(block) * resolution};
+    const Vec2 low{xl(block) * grid.resolution, yl(block) * grid.resolution};
+    const Vec2 high{xh(block) * grid.resolution, yh(block) * grid.resolution};
     walls.pieces.push_back({low, {high.x, low.y}, high, {low.x, high.y}});
   }
   return walls;

@@ -23,32 +23,37 @@ constexpr double kWallHeight = 2.5;    // m, above every lidar of a car; a map d
 constexpr double kSeenHeight = 0.3;    // m, of the walls that cameras see
 constexpr double kFloorSide = 2000.0;  // m
 
-/// map_server's rule: darker than the threshold is occupied, all else is not.
-bool isOccupied(double brightness, const MapMetadata & metadata)
+/// map_server's rule: darker than one threshold is occupied, lighter than the other one free.
+std::int8_t cellOf(double brightness, const MapMetadata & metadata)
 {
   const double p = metadata.negate ? 255.0 - brightness : brightness;
-  if (metadata.mode == MapMetadata::Mode::kRaw) {
-    return p <= 100.0 && p > 100.0 * metadata.occupied_thresh;
+  const bool is_raw = metadata.mode == MapMetadata::Mode::kRaw;  // p is a value in percent, above 100 unknown
+  const double occupancy = is_raw ? p / 100.0 : (255.0 - p) / 255.0;
+  if (occupancy > metadata.occupied_thresh) {
+    return occupancy > 1.0 ? MapGrid::kUnknown : MapGrid::kOccupied;
   }
-  return (255.0 - p) / 255.0 > metadata.occupied_thresh;
+  return occupancy < metadata.free_thresh ? MapGrid::kFree : MapGrid::kUnknown;
 }
 
-CellGrid cellsOf(const MapImage & image, const MapMetadata & metadata)
+MapGrid gridOf(const MapMetadata & metadata)
 {
-  CellGrid grid{image.width, image.height, {}};
-  grid.occupied.reserve(image.width * image.height);
+  // As map_server has always done: in trinary mode alpha counts like a colour.
+  const MapImage image = readMapImage(metadata.image, metadata.mode == MapMetadata::Mode::kTrinary);
+  MapGrid grid{image.width, image.height, metadata.resolution, metadata.origin, {}};
+  grid.cells.reserve(image.width * image.height);
   for (std::size_t row = image.height; row-- > 0;) {
     for (std::size_t column = 0; column < image.width; ++column) {
-      grid.occupied.push_back(isOccupied(image.brightness(row * image.width + column), metadata) ? 1 : 0);
+      grid.cells.push_back(cellOf(image.brightness(row * image.width + column), metadata));
     }
   }
   return grid;
 }
 
-CellGrid readCells(const MapMetadata & metadata)
+MapGrid requiredNear(const MapMetadata & metadata, const std::string & path)
 {
-  // As map_server has always done: in trinary mode alpha counts like a colour.
-  return cellsOf(readMapImage(metadata.image, metadata.mode == MapMetadata::Mode::kTrinary), metadata);
+  MapGrid grid = gridOf(metadata);
+  requireNear(metadata, grid.columns, grid.rows, path);
+  return grid;
 }
 
 /// Walls as low as those of real tracks, and a floor.
@@ -60,11 +65,10 @@ public:
 private:
   Appearance read() const override
   {
-    const MapMetadata metadata = readMapMetadata(path_);
-    const CellGrid grid = readCells(metadata);
+    const MapGrid grid = readMap(path_);
     Appearance seen;
     Surface & walls = seen.surfaces.emplace_back();
-    walls.mesh = meshOf(wallsOf(grid, metadata.resolution, kSeenHeight), {kPatternSide});
+    walls.mesh = meshOf(wallsOf(grid, kSeenHeight), {kPatternSide});
     walls.material = {{0.80F, 0.78F, 0.72F}, {}, textureOf(Pattern::kSpeckles)};
     Surface & floor = seen.surfaces.emplace_back();
     floor.mesh = rectangle(kFloorSide, kFloorSide, {kPatternSide});
@@ -105,11 +109,15 @@ bool isMapFile(const std::string & path)
   return ending == ".yaml" || ending == ".yml";
 }
 
+MapGrid readMap(const std::string & path)
+{
+  return requiredNear(readMapMetadata(path), path);
+}
+
 WorldDescription loadMapWorld(const std::string & path)
 {
   const MapMetadata metadata = readMapMetadata(path);
-  const CellGrid grid = readCells(metadata);
-  requireNear(metadata, grid.columns, grid.rows, path);
+  const MapGrid grid = requiredNear(metadata, path);
   WorldDescription world;
   world.file = path;
   world.name = std::filesystem::path(path).stem().string();
@@ -117,12 +125,12 @@ WorldDescription loadMapWorld(const std::string & path)
   world.start = startOnCentreline(path).value_or(Pose2{});
   ModelDescription & map = world.models.emplace_back();
   map.name = "map";
-  map.pose = {metadata.origin.x, metadata.origin.y, 0.0, 0.0, 0.0, metadata.origin.yaw};
+  map.pose = {grid.origin.x, grid.origin.y, 0.0, 0.0, 0.0, grid.origin.yaw};
   map.is_static = true;
   map.visuals.push_back({{}, {}, std::make_shared<LookOfMap>(path)});
   Solid & walls = map.solids.emplace_back();
   walls.name = "map::walls::occupied";
-  walls.shape = wallsOf(grid, metadata.resolution, kWallHeight);
+  walls.shape = wallsOf(grid, kWallHeight);
   return world;
 }
 }  // namespace f1tenth_sim2d

@@ -25,6 +25,15 @@ def test_car_ends_where_its_bumpers_do(car):
     assert car.extent == pytest.approx((-0.12, 0.44, -0.16, 0.16))
 
 
+@pytest.mark.parametrize("kind", ["floating", "planar"])
+def test_link_that_would_be_loose_is_told(car_text, kind):
+    joint = '<parent link="base_link"/><child link="loose"/>'
+    loose = f'<link name="loose"/><joint name="free" type="{kind}">{joint}</joint></robot>'
+    car = f1tenth_sim2d.load_car(car_text.replace("</robot>", loose), "robot1", "a test")
+    (told,) = [each for each in car.warnings if "[free]" in each]
+    assert f"a joint of type {kind} is left out: its link is held fast" in told
+
+
 CONTROL = '<gazebo><plugin name="c" filename="libgazebo_ros_control.so"/></gazebo>'
 ACKERMANN = """<gazebo><plugin name="a" filename="libgazebo_ros_ackermann_drive.so">
 <commandTopic>/cmd</commandTopic><updateRate>50</updateRate></plugin></gazebo>"""

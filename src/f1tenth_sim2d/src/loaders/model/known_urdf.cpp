@@ -63,6 +63,8 @@ void walk(const Element & element, WarningCollector & warnings)
   for (const Element & child : element.children()) {
     if (found->second.children.count(child.tag()) > 0) {
       walk(child, warnings);
+    } else if (child.tag().rfind("xacro:", 0) == 0) {
+      child.fail("is not an element of URDF");  // what it stands for would be missing in silence
     } else if (!hasPrefix(child.tag())) {
       warnings.add("is not an element of URDF and left out", child.fileLine());
     }

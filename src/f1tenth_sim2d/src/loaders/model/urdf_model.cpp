@@ -189,7 +189,12 @@ private:
 
   void addJoint(const UrdfLink & link)
   {
-    if (!link.joint || link.joint->type == "floating" || link.joint->type == "planar") {
+    if (!link.joint) {
+      return;
+    }
+    if (link.joint->type == "floating" || link.joint->type == "planar") {
+      warnings_.add(
+        "a joint of type " + link.joint->type + " is left out: its link is held fast", link.joint->element.fileLine());
       return;
     }
     const UrdfJoint & given = *link.joint;

@@ -45,6 +45,9 @@ std::vector<BadCar> badCars()
      "link='a'/><child link='b'/></joint></robot>",
      "test.urdf: robot[r]/joint[j]: names the link 'b', which is not there: the description holds <xacro:…> tags; "
      "expand it with xacro first"},
+    {"XacroInALink", robot("<link name='a'><xacro:inertia m='1'/></link>"),
+     "test.urdf: robot[r]/link[a]/xacro:inertia: is not an element of URDF: the description holds <xacro:…> tags; "
+     "expand it with xacro first"},
     {"NothingThatTouches",
      robot("<link name='body'><inertial><mass value='2'/><inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/>"
            "</inertial><visual><geometry><box size='1 1 1'/></geometry></visual></link>"),

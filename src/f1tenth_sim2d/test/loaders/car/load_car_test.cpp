@@ -337,7 +337,7 @@ TEST(LoadCarWarnings, NameWhatUrdfDoesNotKnow)
   EXPECT_EQ(
     load(
       smallCarWith(
-        "<link name=\"base_footprint\"/>", "<link name='base_footprint'><visual x='y'><z/></visual><xacro:w/></link>"))
+        "<link name=\"base_footprint\"/>", "<link name='base_footprint'><visual x='y'><z/></visual><other:w/></link>"))
       .warnings.size(),
     1u);
 }

@@ -265,6 +265,21 @@ ANSWERS = {
         "seed: 1\nboxes: [{name: robot1, x: 1, y: 1}]",
         "FILE:10: boxes has a name twice, or that of a car: robot1",
     ),
+    "degrees": (
+        "    goals: circuit1",
+        "    goals: circuit1\n    start: {x: 0, y: 0, yaw: 180}",
+        "FILE:6: cars[0].start.yaw is 180, must be at least -6.284 rad and at most 6.284 rad",
+    ),
+    "name that no file has": (
+        "world: circuit1",
+        'world: "a\\0b"',
+        "FILE:2: world must be a text without control characters, found 'a\\x00b'",
+    ),
+    "name of two lines": (
+        "name: robot1",
+        'name: "a\\nb"',
+        "FILE:4: cars[0].name is 'a\\nb', must be a letter followed by letters, digits and underscores",
+    ),
     "late fault": (
         "seed: 1",
         "seed: 1\nfaults: [{kill: robot1/move_base, at: 11}]",

@@ -49,7 +49,8 @@ def test_what_is_not_given_has_its_default(tmp_path):
     ("text", "model"),
     [
         ("open: true", Model(open=True)),
-        ("mass: 3", Model(mass=3.0)),
+        *((f"mass: {text}", Model(mass=3.0)) for text in ("3", "3.0", "3.", "+3", "0.3e1", "3E0", "30e-1")),
+        *((f"mass: {text}", Model(mass=0.5)) for text in (".5", "0.5", "5e-1")),
         ("colour: dark blue", Model(colour=Colour.DARK_BLUE)),
         ("words: {maker: us, 1: 2.50}", Model(words={"maker": "us", "1": "2.50"})),
         ("wheel: small", Model(wheel=Wheel(0.05))),
@@ -102,6 +103,13 @@ def test_file_that_nobody_has_written_by_hand_is_refused_at_once(tmp_path):
         ("open: 1", "open must be true or false, found '1'"),
         ("mass: heavy", "mass must be a number (kg), found 'heavy'"),
         ("mass: -1", "mass is -1, must be at least 0 kg"),
+        *(
+            (f"mass: {text}", f"mass must be a number (kg), found '{text}'")
+            for text in ("010", "1_000", "1:30", "0x10", ".inf", ".", "3 kg", "e3")
+        ),
+        ("mass: '3'", "mass must be a number (kg), found '3'"),
+        ("{[open, mass]: 1}", "a key must be a text, found a list"),
+        ("{? {open: 1} : 1}", "a key must be a text, found a mapping"),
         ("colour: blue", "colour is 'blue'; allowed: red, dark blue"),
         ("colour: [red]", "colour is a list; allowed: red, dark blue"),
         ("words: here", "words must be a mapping of names to values, found 'here'"),

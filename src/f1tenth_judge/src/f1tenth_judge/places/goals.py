@@ -9,7 +9,7 @@ import numpy as np
 from f1tenth_judge.errors import ScenarioError
 from f1tenth_judge.places.course import Course
 from f1tenth_judge.places.numbers import read_lines, read_number
-from f1tenth_judge.scenario.car import Pose
+from f1tenth_judge.scenario.car import TURN, Pose
 
 _SPACING = 4.0  # m, between goals along a road
 _FRAME = "frame_id:"
@@ -61,6 +61,8 @@ def _goal(place: str, fields: list[str]) -> Pose:
         raise ScenarioError(f"{place}: {wrong} numbers: {len(fields)}, expected 3 or 7: {_FORMS}")
     numbers = [read_number(place, *each) for each in zip(_NAMES[len(fields)], fields)]
     if len(numbers) == 3:
+        if abs(numbers[2]) > TURN:
+            raise ScenarioError(f"{place}: yaw is {numbers[2]:g}, must be in rad, at most a turn ({TURN:g})")
         return Pose(*numbers)
     x, y, _, qx, qy, qz, qw = numbers
     length = math.sqrt(qx * qx + qy * qy + qz * qz + qw * qw)

@@ -81,7 +81,7 @@ def world_file(name: str, beside: Path) -> Path:
     try:
         found = _find("worlds", name, beside)
     except ScenarioError:
-        if path.is_dir():
+        if os.path.isdir(path):
             raise ScenarioError(f"{path} is no world; {_maps_in(path)}") from None
         raise
     if problem := why_no_place(found):
@@ -126,7 +126,7 @@ def file_or_text(text: str, beside: Path) -> str:
     """
     if text.startswith(_PACKAGE_URI):
         return str(file_at(text, beside))
-    return str((beside / text).resolve()) if _is_file(beside / text) else text
+    return str((beside / text).resolve()) if os.path.isfile(beside / text) else text
 
 
 def portable(text: str, beside: Path) -> str:
@@ -135,7 +135,7 @@ def portable(text: str, beside: Path) -> str:
     FILE.py:CLASS is such a path, too. A text that is not the absolute path of a file stays as it is.
     """
     name, kind = re.fullmatch(r"(.*?)((?<=\.py):\w+)?", text, re.DOTALL).groups("")  # type: ignore[union-attr]
-    if not (name.startswith("/") and _is_file(Path(name))):
+    if not (name.startswith("/") and os.path.isfile(name)):
         return text
     return (_package_uri(Path(name)) or relative(Path(name), beside)) + kind
 
@@ -185,7 +185,7 @@ def _find(kind: str, name: str, beside: Path) -> Path:
 def _named(kind: str, name: str) -> Path:
     suffix = _SUFFIXES[kind]
     for folder in _folders(kind):
-        if (folder / f"{name}{suffix}").is_file():
+        if os.path.isfile(folder / f"{name}{suffix}"):
             return folder / f"{name}{suffix}"
     known = sorted({path.stem for folder in _folders(kind) for path in folder.glob(f"*{suffix}")})
     raise ScenarioError(f"no {_WORDS[kind]} '{name}'; there are: {', '.join(known) or 'none'}")
@@ -199,13 +199,7 @@ def _folders(kind: str) -> Iterator[Path]:
     yield from exports(PACKAGE, kind)
 
 
-def _is_file(path: Path) -> bool:
-    with contextlib.suppress(OSError, ValueError):  # too long for a name, or with characters that none has
-        return path.is_file()
-    return False
-
-
 def _existing(path: Path) -> Path:
-    if not path.is_file():
+    if not os.path.isfile(path):  # which knows names that are too long, too
         raise ScenarioError(f"no such file: {path}")
     return path

@@ -21,13 +21,19 @@ class VehicleModel(enum.Enum):
     SINGLE_TRACK_DRIFT = "single_track_drift"
 
 
+TURN = 6.284
+"""rad, a whole one, rounded up; a greater yaw is in degrees by mistake"""
+
+
 @dataclasses.dataclass(frozen=True)
 class Pose:
     """A pose in the map frame."""
 
     x: float = key("Position in the map frame.", unit="m")
     y: float = key("Position in the map frame.", unit="m")
-    yaw: float = key("Heading, counter-clockwise from the x axis.", unit="rad", default=0.0)
+    yaw: float = key(
+        "Heading, counter-clockwise from the x axis.", unit="rad", at_least=-TURN, at_most=TURN, default=0.0
+    )
 
 
 @dataclasses.dataclass(frozen=True)

@@ -4,7 +4,7 @@ import dataclasses
 import enum
 from typing import Optional
 
-from f1tenth_judge.scenario.car import Car
+from f1tenth_judge.scenario.car import TURN, Car
 from f1tenth_judge.scenario.criteria import Criteria
 from f1tenth_judge.scenario.interventions import Permission
 from f1tenth_judge.yaml_files.schema import Problem, key
@@ -46,7 +46,7 @@ class Box:
     name: str = key("Name of the model.")
     x: float = key("Middle in the map frame.", unit="m")
     y: float = key("Middle in the map frame.", unit="m")
-    yaw: float = key("Heading of its length.", unit="rad", default=0.0)
+    yaw: float = key("Heading of its length.", unit="rad", at_least=-TURN, at_most=TURN, default=0.0)
     length: float = key("Size.", unit="m", above=0, default=0.4)
     width: float = key("Size.", unit="m", above=0, default=0.4)
     height: float = key("Size.", unit="m", above=0, default=0.5)
@@ -100,7 +100,9 @@ class StartLine:
 
     x: float = key("Middle of the line in the map frame.", unit="m", default=0.0)
     y: float = key("Middle of the line in the map frame.", unit="m", default=0.0)
-    yaw: float = key("Direction in which it is crossed.", unit="rad", default=0.0)
+    yaw: float = key(
+        "Direction in which it is crossed.", unit="rad", at_least=-TURN, at_most=TURN, default=0.0
+    )
     width: float = key("Length of the line.", unit="m", above=0, default=3.0)
 
 

@@ -204,6 +204,8 @@ def _read_scalar(hint, info, node, path):
     if type(value) is not hint or (hint is float and not math.isfinite(value)) or value == "":
         unit = f" ({info.unit})" if info.unit else ""
         raise error(node, f"{path} must be {_TYPE_WORDS[hint]}{unit}, found {describe(node)}")
+    if hint is str and not value.replace("\n", "").isprintable():
+        raise error(node, f"{path} must be {_TYPE_WORDS[hint]} without control characters, found {value!r}")
     if hint in (int, float) and not info.allows(value):
         raise error(node, f"{path} is {value:.10g}, must be {info.range_text()}")
     return value

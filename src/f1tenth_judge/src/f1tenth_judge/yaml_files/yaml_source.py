@@ -2,6 +2,7 @@
 
 import contextlib
 import os
+import re
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -10,12 +11,15 @@ import yaml
 from f1tenth_judge.errors import FileError
 
 _LARGEST = 1_000_000  # bytes, of a file that somebody writes by hand
+_NUMBER = re.compile(r"[-+]?(?:0|[1-9][0-9]*|(?=\.[0-9]))(\.[0-9]*)?([eE][-+]?[0-9]+)?")
+_NUMBER_TAGS = {f"tag:yaml.org,2002:{name}" for name in ("int", "float", "str")}  # 1e3 is a text to PyYAML
 TOO_DEEP = "lists or mappings are nested too deeply"
 
 
 def error(node: yaml.Node, text: str) -> FileError:
     """What is wrong at a node: FILE:LINE: text."""
-    return FileError(f"{node.start_mark.name}:{node.start_mark.line + 1}: {text}")
+    line = text.replace("\n", "\\n")  # of what was found, too
+    return FileError(f"{node.start_mark.name}:{node.start_mark.line + 1}: {line}")
 
 
 def compose(path: Path) -> yaml.MappingNode:
@@ -78,6 +82,9 @@ def items(node: yaml.MappingNode, faults: Faults) -> Iterator[tuple[str, yaml.No
     """
     seen: dict[str, yaml.Node] = {}
     for key, value in node.value:
+        if not isinstance(key, yaml.ScalarNode):
+            faults.add(error(key, f"a key must be a text, found {describe(key)}"))
+            continue
         name = str(key.value)
         if name in seen:
             first = seen[name].start_mark.line + 1
@@ -88,13 +95,20 @@ def items(node: yaml.MappingNode, faults: Faults) -> Iterator[tuple[str, yaml.No
 
 
 def scalar(node: yaml.Node):
-    """The Python value of a node; None for a list, a mapping and a tag that is not YAML's own."""
+    """The Python value of a node; None for a list, a mapping, a tag that is not YAML's own, and odd numbers.
+
+    Numbers are those of YAML 1.2: by 1.1, 1e3 is a text, and 010, 1:30 and 1_000 are 8, 90 and 1000.
+    """
     if not isinstance(node, yaml.ScalarNode):
         return None
+    is_known = node.tag in _NUMBER_TAGS and node.style is None
+    if is_known and (number := _NUMBER.fullmatch(node.value)):
+        return float(node.value) if any(number.groups()) else int(node.value)
     try:
-        return yaml.constructor.SafeConstructor().construct_object(node)
+        value = yaml.constructor.SafeConstructor().construct_object(node)
     except (yaml.YAMLError, ValueError):
         return None
+    return None if type(value) in (int, float) else value
 
 
 def describe(node: yaml.Node) -> str:

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from f1tenth_judge.errors import ScenarioError
+from f1tenth_judge.record.files import reading
 
 
 @dataclasses.dataclass(frozen=True)
@@ -48,7 +49,8 @@ def read_interventions(path: Path) -> list[Intervention]:
         ScenarioError: the file is not the simulator's.
     """
     try:
-        text = path.read_text(encoding="utf-8")
+        with reading(path) as stream:
+            text = stream.read().decode()
     except FileNotFoundError:
         return []
     except (OSError, UnicodeDecodeError) as error:

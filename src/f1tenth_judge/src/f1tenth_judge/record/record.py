@@ -8,6 +8,7 @@ from typing import Any, Optional
 import numpy as np
 
 from f1tenth_judge.errors import ScenarioError
+from f1tenth_judge.record.files import reading
 from f1tenth_judge.record.row import COLUMNS, Row, cells_of, row_of
 
 # Stamps are written as decimals; half a nanosecond tells equal ones from neighbouring ones.
@@ -126,7 +127,8 @@ def read_record(path: Path) -> Record:
         ScenarioError: the file is not a record.
     """
     try:
-        text = path.read_text(encoding="utf-8")
+        with reading(path) as stream:
+            text = stream.read().decode()
     except FileNotFoundError:
         return Record({})
     except OSError as error:

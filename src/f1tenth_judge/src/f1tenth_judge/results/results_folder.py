@@ -71,13 +71,17 @@ class ResultsFolder:
 
     def close(self) -> None:
         """The run is over."""
-        if not self._has_result():
-            interrupted = self._folder / INTERRUPTED_FOLDER
-            interrupted.mkdir(exist_ok=True)
-            shutil.rmtree(interrupted / self._log.name, ignore_errors=True)
-            with contextlib.suppress(FileNotFoundError):  # somebody removed it
-                self._log.rename(interrupted / self._log.name)
-        self._end_run()
+        with writing(self._folder):
+            if not self._has_result():
+                self._keep_interrupted_log()
+            self._end_run()
+
+    def _keep_interrupted_log(self) -> None:
+        interrupted = self._folder / INTERRUPTED_FOLDER
+        interrupted.mkdir(exist_ok=True, parents=True)
+        shutil.rmtree(interrupted / self._log.name, ignore_errors=True)
+        with contextlib.suppress(FileNotFoundError):  # somebody removed it
+            self._log.rename(interrupted / self._log.name)
 
     def _has_result(self) -> bool:
         """Whether there is one of the run in progress: earlier results are out of its way by then."""
@@ -109,7 +113,7 @@ def _lock(folder, lock):
 
 def _emptied(folder: Path) -> Path:
     shutil.rmtree(folder, ignore_errors=True)
-    folder.mkdir()
+    folder.mkdir(parents=True)  # a planner may have removed the whole
     return folder
 
 

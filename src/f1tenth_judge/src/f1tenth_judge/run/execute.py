@@ -12,8 +12,8 @@ from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.plan.planning import in_real_time
 from f1tenth_judge.plan.scenario_world import write_world
 from f1tenth_judge.record.files import DRAWINGS_FILE, REPLAY_FILE
-from f1tenth_judge.record.observations import Observations
-from f1tenth_judge.record.record import read_record
+from f1tenth_judge.record.observations import Failure, Observations
+from f1tenth_judge.record.record import Record, read_record
 from f1tenth_judge.record.scene import scene_of
 from f1tenth_judge.results import versions
 from f1tenth_judge.results.result import Result
@@ -72,7 +72,10 @@ def _drive(plan: Plan, make_drivers: Drivers, stop: StopRequest, progress: Progr
         drivers = make_drivers(plan, stage, stop, stack)
         failure = loop.run(drivers)
         notes = [driver.note() for driver in drivers.values()]
-    seen = Observations(read_record(plan.record_file), failure=failure)
+    if problem := loop.record.problem():  # of what somebody has changed, nothing can be believed
+        seen = Observations(Record({}), failure=_tampering(plan, problem))
+    else:
+        seen = Observations(read_record(plan.record_file), failure=failure)
     done = judged(plan, seen, loop.pace.factor, {})
     done = dataclasses.replace(
         done,
@@ -82,6 +85,11 @@ def _drive(plan: Plan, make_drivers: Drivers, stop: StopRequest, progress: Progr
         is_repeatable=not stage.chances,
     )
     return done, stage
+
+
+def _tampering(plan: Plan, problem: str) -> Failure:
+    cars = [car.name for car in plan.scenario.cars]
+    return Failure(f"{cars[0]}/planner" if len(cars) == 1 else "runner", problem, stamp=0.0)
 
 
 def _files(plan: Plan, done: Result, stage: Stage) -> Files:

@@ -6,6 +6,8 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Optional
 
+from f1tenth_judge.record.files import reading
+
 LINE_COUNT = 10  # at most, of what is quoted
 TRACEBACK = "Traceback (most recent call last)"
 _FRAME = '  File "'
@@ -28,7 +30,8 @@ def last_lines(path: Path, count: Optional[int] = None, until: Optional[int] = N
     `until`: bytes from the beginning, as far as it is read; default: all.
     """
     try:
-        data = path.read_bytes()[:until]
+        with reading(path) as stream:
+            data = stream.read(until)
     except OSError:
         return []
     return [line for line in map(plain, data.splitlines()) if line][-(count or 0) :]

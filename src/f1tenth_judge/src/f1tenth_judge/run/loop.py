@@ -1,9 +1,8 @@
 """The loop of a run without ROS: a period is simulated, its drivers handle it, until the run is decided."""
 
-import csv
 import time
 from collections.abc import Mapping
-from typing import Callable, Optional, TextIO
+from typing import Callable, Optional
 
 from f1tenth_judge.errors import writing
 from f1tenth_judge.plan.plan import Plan
@@ -11,6 +10,7 @@ from f1tenth_judge.record.observations import Failure
 from f1tenth_judge.record.pace import Pace
 from f1tenth_judge.record.row import COLUMNS
 from f1tenth_judge.run.driver import Driver
+from f1tenth_judge.run.own_record import OwnRecord
 from f1tenth_judge.run.so_far import SoFar
 from f1tenth_judge.run.stage import PERIOD, Stage
 from f1tenth_judge.stop_request import StopRequest
@@ -31,6 +31,7 @@ class Loop:
         self._began = time.monotonic()
         self.pace = Pace()
         self._so_far = SoFar(plan)
+        self.record = OwnRecord(plan.record_file)
 
     def run(self, drivers: Mapping[str, Driver]) -> Optional[Failure]:
         """Return when the run is decided; with a failure if the set-up broke.
@@ -39,18 +40,17 @@ class Loop:
             MismatchError: a driver cannot go by simulated time.
             ScenarioError: the record cannot be written.
         """
-        file = self._plan.record_file
-        with writing(file), open(file, "w", encoding="utf-8", newline="", buffering=1) as record:
-            self._write(record, [COLUMNS])
+        with writing(self._plan.record_file), self.record:
+            self.record.write([COLUMNS])
             for driver in drivers.values():
                 driver.begin()
-            return self._drive(drivers, record)
+            return self._drive(drivers)
 
-    def _drive(self, drivers: Mapping[str, Driver], record: TextIO) -> Optional[Failure]:
+    def _drive(self, drivers: Mapping[str, Driver]) -> Optional[Failure]:
         due = time.monotonic()
         while True:
             self._stage.advance()
-            self._take(record)
+            self._take()
             if self._so_far.is_cut_short() or self._so_far.is_race_over():
                 return None
             if not self._plan.scenario.lockstep:
@@ -61,10 +61,10 @@ class Loop:
             if failure := self._failure(drivers):
                 return failure
 
-    def _take(self, record: TextIO) -> None:
+    def _take(self) -> None:
         """Write down the period that was simulated."""
         rows = self._stage.rows()
-        self._write(record, rows)
+        self.record.write(rows)
         for row in rows:
             values = dict(zip(COLUMNS, row))
             place = [values[name] for name in ("x", "y", "yaw")]
@@ -83,7 +83,3 @@ class Loop:
         finishes = self._so_far.finishes()
         found = (each.failure(now, finishes.get(car) is not None) for car, each in drivers.items())
         return next(filter(None, found), None)
-
-    @staticmethod
-    def _write(record: TextIO, rows) -> None:
-        csv.writer(record, lineterminator="\n").writerows(rows)

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any, Optional
 
 from f1tenth_judge.errors import ScenarioError
+from f1tenth_judge.record.files import reading
 from f1tenth_judge.record.record import STAMP_EPSILON
 from f1tenth_judge.record.replay import Planar, Point, Poses, Replay, Timed
 from f1tenth_judge.said.drawings import KINDS, Board
@@ -32,7 +33,7 @@ def read_bag(bag: Path, cars: Sequence[str]) -> tuple[Replay, list[str]]:
     import rosbag
 
     try:
-        with rosbag.Bag(str(bag)) as opened:
+        with reading(bag) as stream, rosbag.Bag(stream) as opened:
             # Asked once: it goes through the index of every message.
             kinds = {name: each.msg_type for name, each in opened.get_type_and_topic_info().topics.items()}
             said = Said()

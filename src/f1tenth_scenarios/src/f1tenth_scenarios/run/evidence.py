@@ -5,6 +5,7 @@ import os
 from pathlib import Path
 from typing import Optional
 
+from f1tenth_judge.record.files import reading
 from f1tenth_judge.record.record import first_record
 
 
@@ -34,16 +35,16 @@ class _GrowingFile:
         """Take what is new; or what is wrong."""
         try:
             # The simulator itself begins its record anew after a reset, and keeps the one before.
-            with open(first_record(self._path), "rb") as stream:
+            with reading(first_record(self._path)) as stream:
                 return self._take(stream, os.fstat(stream.fileno()))
-        except FileNotFoundError:
+        except OSError:
             return "" if self._inode is None else self._was("removed")
 
     def verify(self) -> str:
         """Whether what has been taken still stands in the file."""
         if self._inode is None:
             return ""
-        with open(first_record(self._path), "rb") as stream:
+        with reading(first_record(self._path)) as stream:
             same = hashlib.sha256(stream.read(self._size)).digest() == self._digest.digest()
         return "" if same else self._was("overwritten")
 

@@ -3,6 +3,7 @@
 import contextlib
 from pathlib import Path
 
+from f1tenth_judge.record.files import reading
 from f1tenth_judge.record.row import cells_of, row_of
 from f1tenth_judge.run.log_excerpt import plain
 from f1tenth_judge.run.so_far import SoFar
@@ -19,10 +20,10 @@ class LineTail:
     def new_lines(self) -> list[str]:
         """The lines completed since the last call; none while the file does not exist."""
         try:
-            with open(self._path, "rb") as stream:
+            with reading(self._path) as stream:
                 stream.seek(self._offset)
                 data = stream.read()
-        except FileNotFoundError:
+        except OSError:  # the evidence tells of what was put there
             return []
         self._offset += len(data)
         *lines, self._rest = (self._rest + data).split(b"\n")

@@ -43,11 +43,58 @@ def text(name, value, kind="str"):
         (text("proxy_driver/patience", 1000, "double"), "/robot1/proxy_driver/patience"),
         (text("/map_server/frame_id", "odom"), "/map_server/frame_id"),
         (text("/use_sim_time", "false", "bool"), "/use_sim_time to False"),
+        ('<param name="/sim2d/seed" command="echo 7"/>', "/sim2d/seed"),
     ],
 )
 def test_driver_that_sets_what_is_the_runs_is_refused_before_anything_starts(tmp_path, lines, named):
     with pytest.raises(ScenarioError, match=re.escape(f"planner.launch: sets the parameter {named}, ")):
         launched(tmp_path, lines)
+
+
+@pytest.mark.parametrize(
+    ("which", "named"),
+    [
+        ('param="/sim2d/seed"', "/sim2d/seed"),
+        ('ns="/sim2d"', "/sim2d"),
+        ('ns="/"', "/"),
+        ("", "/robot1"),
+        ('param="/use_sim_time"', "/use_sim_time"),
+        ('param="collision_detection/ground_models"', "/robot1/collision_detection/ground_models"),
+    ],
+)
+def test_driver_that_deletes_what_is_the_runs_is_refused(tmp_path, which, named):
+    with pytest.raises(ScenarioError, match=re.escape(f"planner.launch: deletes the parameter {named}, ")):
+        launched(tmp_path, f'<rosparam command="delete" {which}/>')
+
+
+def test_driver_may_delete_what_is_its_own(tmp_path):
+    (deleted,) = launched(tmp_path, '<rosparam command="delete" param="planner/old"/>').executables
+    assert deleted.args == ("delete", "/robot1/planner/old")
+
+
+def test_commands_of_a_launch_file_are_run_by_the_run_alone(tmp_path):
+    planner = f"touch {tmp_path}/ran.$PPID; echo 1"
+    launched(tmp_path, f'<param name="x" command="sh -c \'{planner}\'"/>')
+    assert len([*tmp_path.glob("ran.*")]) == 1, "by roslaunch, which reads the run's launch file here"
+
+
+def test_what_a_command_of_a_launch_file_has_set_before_is_cleared(tmp_path):
+    assert launched(tmp_path).clear_params == ["/sim2d/"]
+
+
+def test_environment_and_remappings_of_a_driver_are_its_own(tmp_path):
+    lines = (
+        '<env name="LD_PRELOAD" value="/mine.so"/>',
+        '<remap from="/clock" to="/mine"/>',
+        '<machine name="mine" address="localhost" env-loader="/mine.sh" default="true"/>',
+    )
+    config = launched(tmp_path, *lines)
+    others = [each for each in config.nodes if each.name in (*RUN_NODES, *CAR_NODES)]
+    assert len(others) > 3
+    for node in others:
+        assert "LD_PRELOAD" not in dict(node.env_args)
+        assert ("/clock", "/mine") not in node.remap_args
+        assert node.machine is None or node.machine.env_loader != "/mine.sh"
 
 
 def test_what_a_driver_sets_for_itself_is_its_own_affair(tmp_path):

@@ -51,6 +51,11 @@ def test_what_is_not_so_is_not_believed(judged, caller):  # noqa: F811
         ("removes_the_logs", "record.csv was removed"),
         ("removes_the_record", "record.csv was removed"),
         ("empties_the_record", "record.csv was "),
+        ("replaces_the_record", "record.csv was replaced"),
+        ("pretends_a_reset", "record.csv was replaced"),
+        ("makes_the_record_a_pipe", "record.csv was removed"),
+        ("makes_the_notes_a_pipe", "interventions.jsonl was removed"),
+        ("makes_the_logs_pipes", "ended with exit code 6"),
         ("removes_the_note_of_what_it_does", "interventions.jsonl was removed"),
     ],
 )
@@ -70,13 +75,19 @@ def test_planner_that_touches_the_evidence_is_named_at_once(judged, how, words):
         ("changes_parameters", "/robot1/helper", 10),
         ("turns_the_clock_on", "/helper", 0),
         ("writes_the_result", "/robot1/planner", 0),
+        ("links_the_results", "/robot1/helper", 0),
+        ("leaves_a_daemon", "/helper", 0),
+        ("tells_the_time_by_another_type", "/robot1/planner", 0),
+        ("tells_what_the_simulator_did", "/robot1/helper", 0),
         ("ends_the_map", "/helper", 0),
         ("ends_the_referee", "/robot1/planner", 0),
     ],
 )
 def test_nothing_that_anybody_may_do_buys_a_lap(judged, tmp_path, how, caller, least):  # noqa: F811
+    (tmp_path / "victim").write_text("precious")
     tries = ("--arg", f"how:={how}", *CALLERS[caller], "--set", "limits.timeout=8")
     result, _ = judged(*tries, planner=CHEATING)
+    assert (tmp_path / "victim").read_text() == "precious"
     assert (result["verdict"], result["passed"], result["contacts"]) == ("timeout", False, [])
     assert result["reason"].startswith("not finished after 8 s of simulated time; robot1 drove ")
     said = "".join(path.read_text() for path in (tmp_path / "race_circuit1" / "log").rglob("*stdout.log"))
@@ -100,6 +111,24 @@ def test_planner_that_harms_a_node_of_the_run_wins_nothing(judged, how, caller, 
     result, _ = judged(*tries, planner=CHEATING)
     assert (result["verdict"], result["passed"]) == ("error", False)
     assert result["culprit"]["culprit"] == culprit
+
+
+@pytest.mark.parametrize("caller", ["/robot1/planner", "/helper"])
+def test_note_that_the_simulator_did_not_write_wins_nothing(judged, caller):  # noqa: F811
+    result, _ = judged("--arg", "how:=adds_a_reset_that_never_was", *CALLERS[caller], planner=CHEATING)
+    assert result["verdict"] in ("disqualified", "error")
+
+
+def test_launch_file_that_changes_the_simulator_before_it_starts_changes_nothing(judged, tmp_path):  # noqa: F811
+    """By commands, which roslaunch runs before it sets the parameters of the run."""
+    sets = "rosparam set /sim2d/physics_step 0.0125; rosparam set /sim2d/seed 77; echo 1"
+    text = CHEATING.read_text(encoding="utf-8").replace(
+        "<launch>", f"<launch><param name='x' command='sh -c \"{sets}\"'/>"
+    )
+    (tmp_path / "sets.launch").write_text(text, encoding="utf-8")
+    options = ("--arg", "how:=drives_on", "--set", "limits.timeout=1")
+    result, _ = judged(*options, planner=tmp_path / "sets.launch")
+    assert (result["verdict"], result["judged"]["physics_step"]) == ("timeout", 0.001)
 
 
 def test_planner_that_moves_the_start_is_named(judged):  # noqa: F811

@@ -64,3 +64,4 @@ def test_summary_of_a_failure_quotes_the_culprit(tmp_path):
     assert "log:               /log/move_base.log" in lines
     assert "                   last words" in lines
     assert "lap time:          none" in lines
+    assert "real-time factor:  none" in lines

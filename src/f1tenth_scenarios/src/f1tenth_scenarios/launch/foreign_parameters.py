@@ -1,7 +1,7 @@
 """What a driver's launch file would set of the run: simulator, judge and car are not its own."""
 
 import xml.etree.ElementTree as ElementTree
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from f1tenth_judge.errors import ScenarioError
@@ -35,34 +35,50 @@ def check_parameters(plan: Plan, groups: Mapping[str, ElementTree.Element]) -> N
     for car in plan.scenario.cars:
         if car.driver.is_ours:
             continue
-        for name in _not_its_own(plan, car, _parameters(groups[car.name])):
+        for what in _not_its_own(plan, car, *_parameters(groups[car.name])):
             raise ScenarioError(
-                f"{plan.cars[car.name].driver.path}: sets the parameter {name}, which is the run's;"
+                f"{plan.cars[car.name].driver.path}: {what}, which is the run's;"
                 f" a driver's parameters are those below /{car.name} that no node of the run has"
             )
 
 
-def _not_its_own(plan: Plan, car: Car, parameters: Mapping[str, Any]) -> Iterator[str]:
+def _not_its_own(
+    plan: Plan, car: Car, parameters: Mapping[str, Any], deleted: Sequence[str]
+) -> Iterator[str]:
     others = tuple(each.name for each in plan.scenario.cars if each.name != car.name)
     taken = [f"/{name}/" for name in (*RUN_NODES, *others, *(f"{car.name}/{node}" for node in CAR_NODES))]
     for name, value in parameters.items():
         if name == _TIME and value is not True:
-            yield f"{name} to {value}"
+            yield f"sets the parameter {name} to {value}"
         elif any(f"{name}/".startswith(each) for each in taken):
-            yield name
+            yield f"sets the parameter {name}"
+    for name in deleted:
+        tree = f"{name.rstrip('/')}/"
+        if any(tree.startswith(each) or each.startswith(tree) for each in (*taken, f"{_TIME}/")):
+            yield f"deletes the parameter {tree[:-1] or '/'}"
 
 
-def _parameters(group: ElementTree.Element) -> dict[str, Any]:
-    """All that a part of a launch file sets, by its whole name; empty if roslaunch cannot read it."""
+def _parameters(group: ElementTree.Element) -> tuple[dict[str, Any], list[str]]:
+    """What a part of a launch file sets and deletes, by whole names; nothing if roslaunch cannot read it."""
     import roslaunch.config
     import roslaunch.xmlloader
+
+    class Loader(roslaunch.xmlloader.XmlLoader):
+        """Runs no command of the file: that is for the run, which ends what it has started."""
+
+        def param_value(self, verbose, name, ptype, value, textfile, binfile, command):
+            """See there."""
+            if command is not None:
+                return ""
+            return super().param_value(verbose, name, ptype, value, textfile, binfile, command)
 
     launch = ElementTree.Element("launch")
     launch.append(group)
     config = roslaunch.config.ROSLaunchConfig()
-    loader = roslaunch.xmlloader.XmlLoader()
+    loader = Loader()
     try:
         loader.load_string(ElementTree.tostring(launch, encoding="unicode"), config, verbose=False)
     except Exception:  # of many kinds, as launch files may hold Python
-        return {}
-    return {name: each.value for name, each in config.params.items()}
+        return {}, []
+    deleted = [each.args[1] for each in config.executables if each.args[0] == "delete"]
+    return {name: each.value for name, each in config.params.items()}, deleted

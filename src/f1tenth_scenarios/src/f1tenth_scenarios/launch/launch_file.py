@@ -75,6 +75,8 @@ def write_launch_file(plan: Plan) -> None:
         if goals_file and not plan.cars[car.name].goals_file:
             goals_file.write_text(goals_text(plan.cars[car.name].goals), encoding="utf-8")
     launch = ElementTree.Element("launch")
+    # What a command in a driver's launch file has set by then is not the run's.
+    ElementTree.SubElement(launch, "group", ns="sim2d", clear_params="true")
     _include(launch, _own("scenario.launch"), _shared_arguments(plan))
     drivers = {car.name: _driver(plan, car) for car in plan.scenario.cars}
     check_parameters(plan, drivers)

@@ -151,6 +151,62 @@ class Cheating:
     def empties_the_record(self):
         open(rospy.get_param("/sim2d/record"), "w", encoding="utf-8").close()
 
+    def replaces_the_record(self):
+        """By a copy that is to be added to when nobody looks."""
+        record = Path(rospy.get_param("/sim2d/record"))
+        shutil.copy(record, record.with_suffix(".new"))
+        record.with_suffix(".new").rename(record)
+
+    def pretends_a_reset(self):
+        """After one, the record before it is what counts."""
+        record = Path(rospy.get_param("/sim2d/record"))
+        shutil.copy(record, f"{record}.before_reset_1")
+
+    def makes_the_record_a_pipe(self):
+        self.make_a_pipe_of("record")
+
+    def makes_the_notes_a_pipe(self):
+        self.make_a_pipe_of("interventions")
+
+    @staticmethod
+    def make_a_pipe_of(name):
+        """Whoever opens it would wait for a writer."""
+        path = rospy.get_param(f"/sim2d/{name}")
+        os.unlink(path)
+        os.mkfifo(path)
+
+    def makes_the_logs_pipes(self):
+        for path in Path(os.environ["ROS_LOG_DIR"]).glob("*.log"):
+            path.unlink()
+            os.mkfifo(path)
+        os._exit(6)
+
+    def links_the_results(self):
+        """So that the judge would write through them."""
+        folder = Path(rospy.get_param("/sim2d/record")).parents[1]
+        for name in ("result.json", "trajectory.csv", "junit.xml", "run.bag"):
+            (folder / name).symlink_to(folder.parent / "victim")
+
+    def leaves_a_daemon(self):
+        """It goes on to write what the planner would like to be judged, without our variables."""
+        folder = Path(rospy.get_param("/sim2d/record")).parents[1]
+        forks = "import os, time\nif os.fork(): os._exit(0)\nos.setsid()\nif os.fork(): os._exit(0)\n"
+        writes = f"open({str(folder / 'result.json')!r}, 'w').write('success'); time.sleep(0.02)"
+        subprocess.run([sys.executable, "-c", f"{forks}while True: {writes}"], env={}, check=True)
+
+    def tells_the_time_by_another_type(self):
+        self.lies = [self.tell("/clock", Header(stamp=rospy.Time(1000)))]
+
+    def adds_a_reset_that_never_was(self):
+        """To what the simulator notes: who is out then?"""
+        with open(rospy.get_param("/sim2d/interventions"), "a", encoding="utf-8") as stream:
+            stream.write('{"time": 1.0, "kind": "reset_world", "caller": "/director", "model": ""}\n')
+
+    def tells_what_the_simulator_did(self):
+        """As the simulator's own result."""
+        path = Path(rospy.get_param("/sim2d/result_file"))
+        path.write_text('{"reason": "shutdown", "trajectory_hash": "0", "sim_time": 1.0}', encoding="utf-8")
+
     def removes_the_note_of_what_it_does(self):
         os.unlink(rospy.get_param("/sim2d/interventions"))
         self.places_itself()

@@ -2,6 +2,7 @@
 
 import contextlib
 import importlib.util
+import io
 import math
 import os
 import shutil
@@ -15,6 +16,7 @@ import pytest
 import rosgraph
 from f1tenth_gazebo.goals.goal_collector import goal_of, road_markers, stamped
 from f1tenth_gazebo.goals.road_ahead import road_ahead
+from f1tenth_judge.scenario.car import Pose
 from f1tenth_navigation.goal_markers import goal_markers
 from PIL import Image
 from ports import free_port
@@ -155,6 +157,17 @@ def test_road_of_a_track_follows_its_centreline(tmp_path, name):
     assert (road[0].x, road[0].y) == pytest.approx((5.0, 0.0))
     assert road[0].yaw == pytest.approx(math.pi / 2.0, abs=0.05)
     assert len(road) == 11
+
+
+def test_road_is_shown_by_arrows_with_the_hint_below_it():
+    road = [Pose(0.0, 0.0, 0.0), Pose(2.0, -1.0, 0.0), Pose(4.0, 3.0, 1.5)]
+    message = road_markers(road)
+    message.serialize(io.BytesIO())
+    arrows = [each.pose.position for each in message.markers if each.ns == "road"]
+    assert [(each.x, each.y) for each in arrows] == [(0.0, 0.0), (2.0, -1.0), (4.0, 3.0)]
+    (hint,) = [each for each in message.markers if each.ns == "hint"]
+    assert hint.pose.position.x == 2.0
+    assert hint.pose.position.y < -2.0, "below the lowest point"
 
 
 def test_world_of_unknown_road_has_a_start_only(tmp_path):

@@ -58,6 +58,16 @@ def test_shortest_way_leads_along_the_inner_edge():
     assert shortest_way(gates) == pytest.approx(2 * math.hypot(0.5, 0.5) + 1.0)
 
 
+def test_lap_is_judged_by_the_way_through_all_gates_once(tmp_path):
+    """At a speed at which no tyre matters; a hundredth of the way is left out."""
+    plan, track = plan_of(tmp_path), around(tmp_path, 1.0)
+    task = plan.tasks["robot1"]
+    way = shortest_way([task.line, *task.gates])
+    (text,) = impossible_laps(plan, track, {"robot1": [0.9 * way / 1.5]})
+    assert f"the shortest way through the road is {0.99 * way:.1f} m, and " in text
+    assert float(text.split(" m, and ")[1].split(" s ")[0]) == pytest.approx(0.99 * way / 1.5, rel=0.01)
+
+
 def test_shortest_way_is_shorter_than_any_lap_and_no_short_cut():
     course = ring()
     line = line_across(course, Pose(0.0, -RADIUS, 0.0))

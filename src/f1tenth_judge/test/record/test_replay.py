@@ -42,6 +42,12 @@ def test_file_holds_what_was_written(tmp_path):
     assert len(back.models["box"].shape.outlines[0]) == 4
 
 
+def test_model_whose_shape_is_not_known_has_none(tmp_path):
+    write_replay(tmp_path / "replay.json.gz", Replay(models={"ghost": Poses([0.0], [(1.0, 2.0, 0.0)])}))
+    shape = read_replay(tmp_path / "replay.json.gz").models["ghost"].shape
+    assert (list(shape.outlines), list(shape.circles)) == ([], [])
+
+
 def test_what_comes_after_the_end_is_cut():
     cut = replay(5.0).until(0.5)
     assert cut.local_plans["robot1"].stamps == [0.0]

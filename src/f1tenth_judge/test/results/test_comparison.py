@@ -69,12 +69,24 @@ def test_what_became_worse_is_said_and_is_the_exit_code(results, capsys, base, h
     assert out.endswith(f"{1 if said else 0} of 1 scenarios became worse\n")
 
 
+def test_all_that_became_worse_stands_in_a_line_beside_what_is_as_good(results, capsys):
+    base = results("base", one=driven_by("mine.py:A"), two=driven_by("mine.py:A"))
+    worse = failed(criteria=[{**CRITERION, "status": "failed"}], **driven_by("mine.py:A"))
+    head = results("head", one=worse, two=driven_by("theirs.py:B"))
+    assert cli.main(["compare", base, head]) == 1
+    one, two = capsys.readouterr().out.splitlines()[1:3]
+    problems = "did not pass: robot1 touched Wall_1; criterion collision failed: nothing touched"
+    assert one.split() == f"one success -> collision 10.000 s 0.250 m {problems}".split()
+    named = "two (mine.py:A -> theirs.py:B) success 10.000 s 0.250 m as good"
+    assert two.split() == named.split()
+
+
 def test_scenario_that_was_not_run_is_worse_and_a_new_one_is_not(results, capsys):
     assert cli.main(["compare", results("base", old={}), results("head", new={})]) == 1
     lines = capsys.readouterr().out.splitlines()
-    assert [line.split()[0] for line in lines[1:3]] == ["new", "old"]
-    assert ("not run -> success" in lines[1], lines[1].endswith("as good")) == (True, True)
-    assert ("success -> not run" in lines[2], lines[2].endswith("was not run")) == (True, True)
+    new, old = (" ".join(line.split()) for line in lines[1:3])
+    assert (new.startswith("new not run -> success "), new.endswith("as good")) == (True, True)
+    assert (old.startswith("old success -> not run "), old.endswith("was not run")) == (True, True)
 
 
 def test_junit_has_a_case_for_each_scenario(results, tmp_path, capsys):

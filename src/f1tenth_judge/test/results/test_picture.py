@@ -80,14 +80,19 @@ def test_one_car_is_coloured_by_its_speed(tmp_path):
     assert scale.get_ylabel() == "speed (m/s)"
 
 
-def test_what_is_a_wall_is_said_by_the_map(tmp_path):
-    pixels = np.array([[0, 100, 200, 250]], dtype=np.uint8)
-    shown = [
-        make_figure("sample", ("success",), Record({}), {}, Grid(pixels, 0.0, 0.0, occupied_thresh=dark))
-        .axes[0].images[0].get_array().tolist()
-        for dark in (0.5, 0.9)
-    ]  # fmt: skip
-    assert shown == [[[0.25, 0.25, 0.93, 1.0]], [[0.25, 0.93, 0.93, 1.0]]]
+def test_walls_are_dark_and_what_is_unknown_is_nearly_as_light_as_the_road():
+    grid = Grid(np.array([[0, 100, 205, 254]], dtype=np.uint8), 0.0, 0.0)
+    (shown,) = make_figure("sample", ("success",), Record({}), {}, grid).axes[0].images
+    assert shown.get_array().tolist() == [[0.25, 0.93, 0.93, 1.0]]
+
+
+@pytest.mark.parametrize(("metres", "inches"), [((20, 8), (12.4, 5.3)), ((8, 20), (7.4, 11.9))])
+def test_the_longer_side_of_what_is_drawn_is_eleven_inches(metres, inches):
+    """With room for the scale beside it and the text above it."""
+    width, height = (10 * side - 20 for side in metres)  # what is drawn has a margin of a metre
+    grid = Grid(np.zeros((height, width), dtype=np.uint8), 0.0, 0.0, resolution=0.1)
+    figure = make_figure("sample", ("success",), Record({}), {}, grid)
+    assert tuple(figure.get_size_inches()) == pytest.approx(inches, abs=0.01)
 
 
 def numbers_drawn(goals):
@@ -98,6 +103,16 @@ def numbers_drawn(goals):
 def test_goals_far_from_each_other_all_have_their_numbers():
     assert numbers_drawn([Pose(5.0 * i, 0.0) for i in range(6)]) == [1, 2, 3, 4, 5, 6]
     assert numbers_drawn([Pose(2.0, 1.0)]) == [1]
+
+
+def test_goal_with_a_number_is_large_enough_for_it_and_the_others_are_smaller():
+    goals = {"robot1": [Pose(4.0 * i, 0.0) for i in range(26)]}
+    figure = make_figure("sample", ("success",), Record({}), goals, None)
+    axes, renderer = figure.axes[0], figure.canvas.get_renderer()
+    sizes = [each.get_markersize() for each in axes.lines]
+    assert max(sizes) > 2 * min(sizes)
+    (number,) = [each for each in axes.texts if each.get_text() == "5"]
+    assert number.get_window_extent(renderer).height < max(sizes) * figure.dpi / 72.0
 
 
 def test_of_goals_close_together_every_fifth_or_tenth_has_its_number():

@@ -28,7 +28,9 @@ def test_car_ends_where_its_bumpers_do(car):
 @pytest.mark.parametrize("kind", ["floating", "planar"])
 def test_link_that_would_be_loose_is_told(car_text, kind):
     joint = '<parent link="base_link"/><child link="loose"/>'
-    loose = f'<link name="loose"/><joint name="free" type="{kind}">{joint}</joint></robot>'
+    inertia = " ".join(f'{name}="0"' for name in ("ixx", "ixy", "ixz", "iyy", "iyz", "izz"))
+    inertial = f'<inertial><mass value="1"/><inertia {inertia}/></inertial>'
+    loose = f'<link name="loose">{inertial}</link><joint name="free" type="{kind}">{joint}</joint></robot>'
     car = f1tenth_sim2d.load_car(car_text.replace("</robot>", loose), "robot1", "a test")
     (told,) = [each for each in car.warnings if "[free]" in each]
     assert f"a joint of type {kind} is left out: its link is held fast" in told

@@ -1,4 +1,4 @@
-"""What a file is that somebody has named: seen from its first lines, before anything reads the whole of it."""
+"""What a file is that somebody has named: seen from its first lines, before all of it is read."""
 
 import re
 from pathlib import Path

@@ -64,7 +64,7 @@ def _scenario(name: str) -> Path:
 
 
 def _refuse_place(path: Path) -> None:
-    if _is_file(path) and is_place(path):
+    if os.path.isfile(path) and is_place(path):
         raise ScenarioError(f"{path} is a place, not a scenario: `f1tenth race {path}`")
 
 

@@ -4,6 +4,8 @@ import os
 from pathlib import Path
 from typing import Optional
 
+from f1tenth_judge.record.files import reading
+
 
 class Tail:
     """Hands out each complete line once."""
@@ -18,7 +20,7 @@ class Tail:
     def new_lines(self) -> list[bytes]:
         """The lines completed since the last call, of a new file if there is one; none without a file."""
         try:
-            with open(self._path, "rb") as stream:
+            with reading(self._path) as stream:
                 status = os.fstat(stream.fileno())
                 if status.st_mtime < self._since:
                     return []

@@ -31,7 +31,7 @@ def last_lines(path: Path, count: Optional[int] = None, until: Optional[int] = N
     """
     try:
         with reading(path) as stream:
-            data = stream.read(until)
+            data = stream.read(-1 if until is None else until)
     except OSError:
         return []
     return [line for line in map(plain, data.splitlines()) if line][-(count or 0) :]

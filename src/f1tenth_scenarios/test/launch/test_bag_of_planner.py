@@ -113,6 +113,13 @@ def test_paths_and_poses_are_drawn_without_a_colour(bag):
     assert arrows.lines[0][:2] == [(1, 1), (1, 1.25)]
 
 
+@pytest.mark.parametrize("topic", ["move_base/goals_ahead", "race_goals"])
+def test_goals_that_the_replay_shows_anyway_are_not_drawn(bag, topic):
+    goals = PoseArray(poses=[at(1, 1)])
+    assert drawn(bag, (1.0, goals), topic=f"/robot1/{topic}") == []
+    assert drawn(bag, (1.0, goals), topic="/robot1/own_goals") != []
+
+
 def test_what_cannot_be_seen_is_not_drawn(bag):
     clear = marker(Marker.SPHERE)
     clear.color.a = 0.0

@@ -20,6 +20,8 @@ _PLAN_PERIOD, _MODEL_PERIOD = 0.2, 0.1  # s, between two messages that the repla
 _PLAN_POINTS = 100  # of a plan, about
 _CAMERAS = ("sensor_msgs/Image", "sensor_msgs/CompressedImage")
 _NUMBERS = ("std_msgs/Float32", "std_msgs/Float64")
+# Of a car, what the replay shows otherwise: plans and goals.
+_SHOWN = ("move_base/global_plan", "move_base/local_plan", "move_base/goals_ahead", "race_goals")
 _LAG = 0.1  # s, by which the last transform may be older than a drawing
 
 
@@ -78,7 +80,7 @@ def _models(bag, cars: Sequence[str]) -> dict[str, Poses]:
 
 def _drawings(bag, cars: Sequence[str], kinds: Mapping[str, str], said: Said) -> None:
     frames = _Frames(bag)
-    shown = {f"/{car}/move_base/{kind}" for car in cars for kind in ("global_plan", "local_plan")}
+    shown = {f"/{car}/{topic}" for car in cars for topic in _SHOWN}
     for topic in sorted(_topics_of(bag, cars, kinds, KINDS).keys() - shown):
         board = Board(kinds[topic], frames)
         for now, message in _messages(bag, topic):

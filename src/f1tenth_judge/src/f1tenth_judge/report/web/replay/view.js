@@ -8,6 +8,7 @@ import { Painter } from "./painter.js";
 import { shadesOf } from "./shades.js";
 import { Viewport, boundingBox, boxOfStretch } from "./viewport.js";
 
+const MARK = 19; // px, of goals and corners
 const SMALL = 9; // px, of a car's length that is hard to find
 
 export class View {
@@ -150,16 +151,23 @@ export class View {
   }
 
   drawMarks(painter) {
-    const drawn = new Set();
+    const drawn = new Map();
     for (const poses of this.run.goals) {
       poses.forEach(({ x, y }, index) => {
         const place = `${x} ${y}`;
         if (!drawn.has(place)) painter.marker(x, y, 8.5, this.colours.goal, String(index + 1));
-        drawn.add(place);
+        drawn.set(place, { x, y });
       });
     }
-    for (const { x, y, number } of this.corners) painter.tag(x, y, `T${number}`);
+    for (const corner of this.corners) this.drawCorner(painter, corner, [...drawn.values()]);
     for (const { x, y } of this.contacts) painter.cross(x, y, 7);
+  }
+
+  // Above a goal that is in its place.
+  drawCorner(painter, { x, y, number }, goals) {
+    const room = MARK / this.viewport.scale;
+    const isTaken = goals.some((goal) => Math.hypot(goal.x - x, goal.y - y) < room);
+    painter.tag(x, isTaken ? y + room : y, `T${number}`);
   }
 
   pan(dx, dy) {

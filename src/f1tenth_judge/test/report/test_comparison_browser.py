@@ -105,3 +105,20 @@ def test_corners_are_where_the_road_bends(window):
     assert (first, second) == (1, 2)
     assert (begin, end) == (pytest.approx(10.0, abs=1.5), pytest.approx(10 + bend, abs=1.5))
     assert x == pytest.approx(12.0, abs=0.3)
+
+
+PLACES = [
+    (9.0, "before T1"),
+    (12.0, "in T1"),
+    (19.0, "after T1"),
+    (23.0, "before T2"),
+    (31.0, "after T2"),
+    (52.0, "in T1"),
+]
+
+
+@pytest.mark.parametrize(("way", "words"), PLACES)
+def test_place_is_told_by_the_nearest_corner(window, way, words):
+    corners = [{"number": 1, "from": 10.0, "to": 16.0}, {"number": 2, "from": 24.0, "to": 30.0}]
+    code = bundle(WEB / "compare" / "corners.js")
+    assert window.execute_script(f"{code}return whereOf(...arguments);", corners, 40.0, way) == words

@@ -4,7 +4,8 @@ export const NOTHING = "–";
 
 export function formatNumber(value, digits, unit = "") {
   if (value === null || value === undefined || !Number.isFinite(value)) return NOTHING;
-  return value.toFixed(digits).replace("-", "−") + (unit ? `\u202f${powers(unit)}` : "");
+  const text = value.toFixed(digits).replace(/^-(?=[0.]*$)/, ""); // no −0.00
+  return text.replace("-", "−") + (unit ? `\u202f${powers(unit)}` : "");
 }
 
 // Exponents as they are printed.

@@ -32,9 +32,12 @@ export function driveThrough(car, { from, to }, offset) {
 // Where a distance (m) along a road of this length is, in words; "" where there are no corners.
 export function whereOf(corners, length, way) {
   if (!corners.length || !Number.isFinite(way)) return "";
-  const place = way - length * Math.floor(way / length);
-  const corner = corners.find(({ to }) => place <= to) ?? corners[0];
-  return `${place >= corner.from && place <= corner.to ? "in" : "before"} T${corner.number}`;
+  const inLap = (distance) => distance - length * Math.floor(distance / length);
+  const place = inLap(way);
+  const next = corners.find(({ to }) => place <= to) ?? corners[0];
+  if (place >= next.from && place <= next.to) return `in T${next.number}`;
+  const last = corners.findLast(({ to }) => place > to) ?? corners.at(-1);
+  return inLap(place - last.to) < inLap(next.from - place) ? `after T${last.number}` : `before T${next.number}`;
 }
 
 export function lengthOf(road) {

@@ -322,11 +322,28 @@ def test_damaged_drawings_are_left_out(feed, tmp_path):
     assert [each["time"] for each in feed.news(Place())["drawn"]] == [0.2, 2]
 
 
-def test_journal_on_a_full_disk_is_silent():
-    journal = Journal(Path("/dev/full"))
+def test_journal_on_a_full_disk_is_silent(tmp_path, monkeypatch):
+    full = os.fdopen(os.open("/dev/full", os.O_WRONLY), "w", buffering=1)
+    monkeypatch.setattr(Path, "open", lambda *_, **kinds: full)
+    journal = Journal(tmp_path / "drawings.jsonl")
     for time in (0.0, 0.2):
         journal.note("/robot1/path", time, [])
     journal.close()
+
+
+def test_pipe_in_the_place_of_drawings_is_not_waited_for(feed, tmp_path):
+    write_record(tmp_path / "record.csv", rows(1.0))
+    os.mkfifo(tmp_path / "drawings.jsonl")
+    assert feed.poll()
+    assert feed.news(Place())["drawn"] == []
+    draw(tmp_path, 0.2)
+    feed.poll()
+    assert [each["time"] for each in feed.news(Place())["drawn"]] == [0.2]
+
+
+def test_nothing_remains_of_a_run_without_drawings(tmp_path):
+    Journal(tmp_path / "drawings.jsonl").close()
+    assert list(tmp_path.iterdir()) == []
 
 
 @pytest.fixture

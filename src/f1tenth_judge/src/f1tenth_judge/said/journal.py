@@ -13,25 +13,31 @@ class Journal:
     """A line for each drawing: its time (s), its topic, and what is shown from then on."""
 
     def __init__(self, file: Path):
-        """Write nothing yet."""
+        """Begin the file: before there is a planner, who could put a pipe there."""
         self._file = file
         self._stream: Optional[TextIO] = None
-        self._is_broken = False
+        self._is_empty = True
+        with contextlib.suppress(OSError):
+            file.unlink(missing_ok=True)
+            self._stream = file.open("x", encoding="utf-8", buffering=1)
 
     def note(self, topic: str, time: float, drawn: Sequence[Drawing]) -> None:
         """Write a line; one of the same time replaces the one before. A full disk ends it silently."""
-        if self._is_broken:
+        self._is_empty = False
+        if self._stream is None:
             return
+        line = {"time": time, "topic": topic, "drawn": drawn}
         try:
-            if self._stream is None:
-                self._stream = self._file.open("w", encoding="utf-8", buffering=1)
-            line = {"time": time, "topic": topic, "drawn": drawn}
             self._stream.write(json.dumps(line, default=vars, separators=(",", ":")) + "\n")
         except OSError:
-            self._is_broken = True
+            self.close()
 
     def close(self) -> None:
-        """Write no more."""
-        if self._stream:
+        """Write no more; no file remains of nothing."""
+        stream, self._stream = self._stream, None
+        if stream:
             with contextlib.suppress(OSError):
-                self._stream.close()
+                stream.close()
+        if self._is_empty:
+            with contextlib.suppress(OSError):
+                self._file.unlink()

@@ -22,7 +22,7 @@ _MOST_ROWS = 1000  # of a car, in one message: who is farther behind gets every 
 # Of a car, as those in live.js: then the older half loses every second one, so that a run may go on for days.
 _KEPT_ROWS = 20_000
 _KEPT_EVENTS = 1000  # the latest
-_KEPT_DRAWN = 1 << 20  # bytes, of what was drawn latest
+_KEPT_DRAWN = 1 << 18  # bytes, of what was drawn latest: in memory they are ten times as much
 _CLOCKS = 0.1  # s, by which the time of a file may be behind the clock, and more than enough
 _SHOWN = ("time", "x", "y", "yaw", "v_x", "steering_angle", "clearance")
 

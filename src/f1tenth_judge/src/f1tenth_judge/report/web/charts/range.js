@@ -16,6 +16,7 @@ export function rangeOf({ lines, axis, quantity, span, limit }) {
       if (values[index] > high) high = values[index];
     }
   }
-  const least = Number.isFinite(low) ? low : 0;
-  return niceRange(least, low < high ? high : least + LEAST_RANGE);
+  if (low < high) return niceRange(low, high);
+  const least = Number.isFinite(low) && low !== 0 ? low - LEAST_RANGE / 2 : 0;
+  return niceRange(least, least + LEAST_RANGE);
 }

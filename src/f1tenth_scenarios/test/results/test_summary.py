@@ -56,6 +56,14 @@ def test_summary_compares_a_lap_of_a_track_with_the_raceline_beside_it(tmp_path)
     ) in summary(run.execute(), run.plan).splitlines()
 
 
+def test_summary_of_an_interrupted_run_leads_to_no_replay(tmp_path):
+    run = FakeRun(tmp_path).records(1.0).hears(failure=died())
+    result = run.execute()
+    assert "\nreplay:" in summary(result, run.plan)
+    interrupted = dataclasses.replace(result, folder=result.folder / "interrupted")
+    assert "\nreplay:" not in summary(interrupted, run.plan)
+
+
 def test_summary_of_a_failure_quotes_the_culprit(tmp_path):
     run = FakeRun(tmp_path).records(1.0).hears(failure=died())
     lines = summary(run.execute(), run.plan).splitlines()

@@ -17,6 +17,7 @@ from f1tenth_judge.record.pace import Pace
 from f1tenth_judge.results.moment import replay_of
 from f1tenth_judge.results.reference_laps import reference_of
 from f1tenth_judge.results.result import Result
+from f1tenth_judge.results.results_folder import INTERRUPTED_FOLDER
 from f1tenth_judge.results.standing import name_of
 
 _REDRAW_INTERVAL = 0.2  # wall s
@@ -170,7 +171,7 @@ def _picture(result):
 
 
 def _replay(result):
-    if not result.passed:
+    if not result.passed and result.folder.name != INTERRUPTED_FOLDER:  # which no report shows
         yield "replay", f"{replay_of(result)} (of the page that --report or `f1tenth report` writes)"
 
 

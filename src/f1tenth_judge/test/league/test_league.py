@@ -40,7 +40,7 @@ def test_every_planner_races_at_every_place_once_and_is_ranked_on_a_page(file, p
     assert '<a href="report.html#two-circuit3-1">two</a>' in page
     assert "<td>10.000 s</td>" in page
     assert f"<td>{CLASSES}:Follower</td>" in page
-    assert "no result" not in page
+    assert "No result" not in page
     assert "<th>won</th>" not in page
     assert (file.parent / "league" / "cup" / "report.html").is_file()
     assert run(file) == 0
@@ -62,7 +62,7 @@ def test_the_page_tells_what_is_missing(file, program):
     file.write_text(f"{TEXT}seeds: [1, 13]\n")  # the second of which is bad luck
     assert run(file) == 1
     page = (file.parent / "league" / "cup" / "index.html").read_text()
-    assert "<p>4 races have no result.</p>" in page
+    assert "<p>No result yet: 4 of 8 races.</p>" in page
 
 
 def test_the_page_tells_who_won_where_pairs_race(file):

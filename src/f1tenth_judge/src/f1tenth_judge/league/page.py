@@ -25,7 +25,7 @@ def league_page(
     races = ["place", "seed", "planners", "verdict", "best laps", "reason"]
     missing = sum(each not in results for each in meetings(league))
     body = [
-        *([f"<p>{missing} races have no result.</p>"] if missing else []),
+        *([f"<p>No result yet: {missing} of {len(list(meetings(league)))} races.</p>"] if missing else []),
         table(heads, _ranked(league, ranking)),
         f"<p>{_PACE}{_WON if league.pairs else ''}</p>",
         links([REPORT_FILE]),

@@ -1,11 +1,14 @@
 """F110Env of f1tenth_gym 1.0 over this simulator; docs/coming_from_f1tenth_gym.md says what differs."""
 
+from pathlib import Path
 from typing import Any, Optional
 
+import gymnasium
 import numpy as np
 
 from f1tenth_sim2d import f110_env
 from f1tenth_sim2d.f1tenth_gym_names import PER_CAR
+from f1tenth_sim2d.f1tenth_gym_track import Track, track_of
 
 IDS = ("f1tenth_gym:f1tenth-v0", "f1tenth-v0")
 _SETTINGS = ("map", "map_ext", "num_agents", "timestep", "params", "seed", "ego_idx", "integrator")
@@ -22,13 +25,16 @@ _OBSERVATIONS = {
 _FEATURES = (*PER_CAR, "delta", "beta")
 
 
-class F110Env(f110_env.F110Env):
+class F110Env(f110_env.F110Env, gymnasium.Env):
     """Cars on a map, with the config and the five-value step of f1tenth_gym 1.0.
 
     Attributes:
         agent_ids: agent_0, agent_1, …
         render_mode: as given.
+        action_space: of shape (num_agents, 2): steering angle, rad, and speed, m/s.
     """
+
+    metadata = {"render_modes": ["human", "human_fast", "rgb_array"], "render_fps": 100}
 
     def __init__(self, config: dict[str, Any], render_mode: Optional[str] = None):
         """Load the map.
@@ -59,6 +65,16 @@ class F110Env(f110_env.F110Env):
             self._view_mode = render_mode
         super().__init__(**config)
         self.agent_ids = [f"agent_{car}" for car in range(self.num_agents)]
+        car = self._now.stage.action_space
+        low, high = (np.tile(limit, (self.num_agents, 1)) for limit in (car.low, car.high))
+        self.action_space = gymnasium.spaces.Box(low, high)
+
+    @property
+    def track(self) -> Track:
+        """Centreline and raceline of the map of the next reset, from the files beside it."""
+        map_file = Path(self.map_name)
+        raceline = map_file.with_name(map_file.name.removesuffix("_map") + "_raceline.csv")
+        return track_of(self._next.stage.place, raceline)
 
     def reset(self, poses=None, *, seed=None, options=None):
         """Put the cars somewhere and simulate a timestep.

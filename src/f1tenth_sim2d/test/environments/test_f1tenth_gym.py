@@ -1,10 +1,15 @@
 """What was written for f1tenth_gym 1.0 drives here."""
 
+import shutil
+from pathlib import Path
+
+import gymnasium
 import numpy as np
 import pytest
 from f1tenth_sim2d.f1tenth_gym import F110Env
 from f1tenth_sim2d.f110_gym import make
 
+TRACK = Path(__file__).parents[4] / "data" / "tracks" / "hand_drawn"
 CONFIG = {
     "map": "circuit1",
     "num_agents": 1,
@@ -60,6 +65,48 @@ def test_features_are_chosen():
     agent = env.reset()[0]["agent_0"]
     assert list(agent) == features
     assert agent["scan"].shape == (1080,)
+
+
+def test_it_is_an_environment_of_gymnasium():
+    env = F110Env({**CONFIG, "num_agents": 2})
+    assert isinstance(env, gymnasium.Env)
+    assert env.unwrapped is env
+    action = env.action_space.sample()
+    assert action.shape == (2, 2)
+    env.reset()
+    env.step(action)
+
+
+def test_the_track_is_the_line_to_follow():
+    env = F110Env(CONFIG)
+    line = env.unwrapped.track.raceline
+    with pytest.warns(UserWarning, match="the callback is not called"):
+        env.unwrapped.add_render_callback(line.render_waypoints)
+    assert line is not None
+    x, y, length = line.xs, line.ys, env._now.stage.place.course.length
+    assert line.n == len(line.yaws) == len(line.vxs)
+    assert length * 0.9 < line.ss[-1] < length
+    ahead = np.column_stack([np.roll(x, -1) - x, np.roll(y, -1) - y])
+    steps = np.hypot(*ahead.T)
+    along = (ahead * np.column_stack([np.cos(line.yaws), np.sin(line.yaws)])).sum(axis=1)
+    assert (along > 0.9 * steps).all()
+    assert (line.ks * steps).sum() == pytest.approx(2 * np.pi, rel=0.1)
+
+
+def test_a_raceline_beside_the_map_is_read():
+    track = F110Env({**CONFIG, "map": str(TRACK / "hand_drawn_map")}).track
+    table = np.loadtxt(TRACK / "hand_drawn_raceline.csv", delimiter=";")
+    assert np.array_equal(track.raceline.xs, table[:, 1])
+    assert np.array_equal(track.raceline.vxs, table[:, 5])
+    assert track.centerline.vxs.max() == 1.0
+
+
+@pytest.mark.parametrize("text", ["1;2;3\n", "s;x;y;psi;kappa;vx;ax\n"])
+def test_a_raceline_that_is_no_table_is_refused(tmp_path, text):
+    copy = shutil.copytree(TRACK, tmp_path / "track")
+    (copy / "hand_drawn_raceline.csv").write_text(text)
+    with pytest.raises(ValueError, match="hand_drawn_raceline.csv: found no table of numbers, allowed are"):
+        F110Env({**CONFIG, "map": str(copy / "hand_drawn_map")}).track  # noqa: B018
 
 
 @pytest.mark.parametrize(

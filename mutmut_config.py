@@ -4,7 +4,8 @@ Changes that are no fault, so that no test can see them:
 
 - `<` for `<=` where stamps are compared within STAMP_EPSILON, or measured numbers: equal by chance only;
 - another value where any would do: size, colour and distance in a picture, the interval between two looks,
-  the grace in which processes end, None for an empty value of which only the truth is asked;
+  the grid of a search, the grace in which processes end, None for an empty value of which only the truth is
+  asked;
 - a default that every caller overrides, and what changes costs alone, as `buffering` and `daemon`;
 - texts that only people who work at this project read: of assertions.
 """

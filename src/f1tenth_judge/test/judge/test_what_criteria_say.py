@@ -1,6 +1,7 @@
 """Each criterion as a whole: its name, what was measured, the limit, the unit and the reason."""
 
 import dataclasses
+import json
 import math
 
 import pytest
@@ -16,6 +17,7 @@ from f1tenth_judge.record.observations import Failure
 from f1tenth_judge.record.record import Record
 from f1tenth_judge.record.replay import Poses
 from f1tenth_judge.record.row import COLUMNS
+from f1tenth_judge.results.result_file import SCHEMA_FILE
 from f1tenth_judge.scenario.car import Car, Pose
 from f1tenth_judge.scenario.criteria import Criteria
 from f1tenth_judge.scenario.driver import Driver
@@ -24,6 +26,13 @@ from scenario_samples import record, rows, scenario
 
 LEFT = "beyond the edge of the road, from 1.000 to 1.500 s, at (2.00, 3.25)"
 PASSED, FAILED, NOT_JUDGED = Status.PASSED, Status.FAILED, Status.NOT_JUDGED
+
+
+def test_words_for_the_status_are_those_of_result_files():
+    allowed = json.loads(SCHEMA_FILE.read_text(encoding="utf-8"))["$defs"]["criterion"]["properties"][
+        "status"
+    ]
+    assert [each.value for each in Status] == allowed["enum"]
 
 
 def decided(verdict, tracks=None, failure=None, passes=None, reason="so it was"):

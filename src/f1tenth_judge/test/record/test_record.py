@@ -2,7 +2,7 @@
 
 import pytest
 from f1tenth_judge.errors import ScenarioError
-from f1tenth_judge.record.record import read_record
+from f1tenth_judge.record.record import first_record, read_record
 from f1tenth_judge.record.row import COLUMNS
 from scenario_samples import record, rows
 
@@ -79,6 +79,14 @@ def test_what_is_no_record_is_refused(tmp_path, text, answer):
 def test_empty_file_is_an_empty_record(tmp_path):
     (tmp_path / "record.csv").touch()
     assert read_record(tmp_path / "record.csv").end is None
+
+
+def test_first_record_is_the_one_before_a_reset(tmp_path):
+    path, kept = tmp_path / "record.csv", tmp_path / "record.csv.before_reset_1"
+    path.touch()
+    assert first_record(path) == path
+    kept.touch()
+    assert first_record(path) == kept
 
 
 def test_what_cannot_be_read_is_named(tmp_path):

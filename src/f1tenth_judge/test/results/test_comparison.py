@@ -82,7 +82,8 @@ def test_all_that_became_worse_stands_in_a_line_beside_what_is_as_good(results, 
 
 
 def test_scenario_that_was_not_run_is_worse_and_a_new_one_is_not(results, capsys):
-    assert cli.main(["compare", results("base", old={}), results("head", new={})]) == 1
+    one = driven_by("gap.py:Gap")
+    assert cli.main(["compare", results("base", old=one), results("head", new=one)]) == 1
     lines = capsys.readouterr().out.splitlines()
     new, old = (" ".join(line.split()) for line in lines[1:3])
     assert (new.startswith("new not run -> success "), new.endswith("as good")) == (True, True)

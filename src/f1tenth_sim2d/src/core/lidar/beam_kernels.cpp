@@ -53,47 +53,47 @@ inline float report(double range, const RangeLimits & limits)
 }  // namespace
 
 F1TENTH_VECTORIZED
-void crossOfFacing(
-  const Vec2 & point, double range, const WallEnds & walls, std::size_t count, double * __restrict cross_or_zero)
-{
-  const WallEnds w = walls;
-  const Vec2 p = point;
-  const double range_squared = range * range;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double edge_x = w.b_x[i] - w.a_x[i];
-    const double edge_y = w.b_y[i] - w.a_y[i];
-    const double cross = (w.a_x[i] - p.x) * edge_y - (w.a_y[i] - p.y) * edge_x;
-    const bool is_near = cross * cross <= range_squared * (edge_x * edge_x + edge_y * edge_y);
-    cross_or_zero[i] = (cross < 0.0) & is_near ? cross : 0.0;
-  }
-}
-
-F1TENTH_VECTORIZED
-void projectWalls(const BeamView & view, WallBatch & batch, std::size_t count)
+void projectWalls(const BeamView & view, const WallEnds & walls, std::size_t count, SeenWalls & seen)
 {
   const BeamView v = view;
+  const WallEnds w = walls;
+  const double range_squared = v.range_max * v.range_max;
   for (std::size_t i = 0; i < count; ++i) {
-    const double forward_a = v.sensor.cosine * batch.a_x[i] + v.sensor.sine * batch.a_y[i];
-    const double forward_b = v.sensor.cosine * batch.b_x[i] + v.sensor.sine * batch.b_y[i];
-    const double left_a = v.sensor.cosine * batch.a_y[i] - v.sensor.sine * batch.a_x[i];
-    const double left_b = v.sensor.cosine * batch.b_y[i] - v.sensor.sine * batch.b_x[i];
-    const double inverse_cross = 1.0 / batch.cross[i];
-    batch.beam_a[i] = roughBeam(v, left_a, forward_a);
-    batch.beam_b[i] = roughBeam(v, left_b, forward_b);
-    batch.along_cosine[i] = (left_b - left_a) * inverse_cross;
-    batch.along_sine[i] = (forward_a - forward_b) * inverse_cross;
+    const double a_x = w.a_x[i] - v.sensor.x;
+    const double a_y = w.a_y[i] - v.sensor.y;
+    const double b_x = w.b_x[i] - v.sensor.x;
+    const double b_y = w.b_y[i] - v.sensor.y;
+    const double edge_x = w.b_x[i] - w.a_x[i];
+    const double edge_y = w.b_y[i] - w.a_y[i];
+    const double cross = a_x * edge_y - a_y * edge_x;
+    const bool is_near = cross * cross <= range_squared * (edge_x * edge_x + edge_y * edge_y);
+    const bool is_seen = (cross < 0.0) & is_near;
+    const double left_a = v.sensor.cosine * a_y - v.sensor.sine * a_x;
+    const double left_b = v.sensor.cosine * b_y - v.sensor.sine * b_x;
+    const double forward_a = v.sensor.cosine * a_x + v.sensor.sine * a_y;
+    const double forward_b = v.sensor.cosine * b_x + v.sensor.sine * b_y;
+    const double inverse_cross = 1.0 / cross;
+    seen.along_cosine[i] = (left_b - left_a) * inverse_cross;
+    seen.along_sine[i] = (forward_a - forward_b) * inverse_cross;
+    // The end of a wall that is not seen may be the sensor itself, which has no direction.
+    seen.beam_a[i] = roughBeam(v, left_a, is_seen ? forward_a : 1.0);
+    seen.beam_b[i] = roughBeam(v, left_b, is_seen ? forward_b : 1.0);
+    seen.kind[i] = isTrue(is_seen);
   }
   for (std::size_t i = 0; i < count; ++i) {
-    const double beam_a = batch.beam_a[i];
-    const double beam_b = batch.beam_b[i];
+    const double beam_a = seen.beam_a[i];
+    const double beam_b = seen.beam_b[i];
     const double end = beam_a + kCornerTolerance;
     // Products of 0 and 1, which the compiler vectorizes, unlike "and".
     const double is_within_turn = isTrue(beam_a >= beam_b) * isTrue(end < v.beams_per_turn) *
                                   isTrue(beam_b + v.beams_per_turn > v.last_beam + kCornerTolerance) *
                                   isTrue(beam_a - beam_b <= kWidthMax * v.beams_per_turn);
-    batch.is_plain[i] = is_within_turn * isTrue(isBetweenBeams(v, beam_a)) * isTrue(isBetweenBeams(v, beam_b));
-    batch.first[i] = roundedUp(positivePart(beam_b - kCornerTolerance));
-    batch.last[i] = static_cast<int>(std::min(end, v.last_beam));
+    const double is_plain = is_within_turn * isTrue(isBetweenBeams(v, beam_a)) * isTrue(isBetweenBeams(v, beam_b));
+    const double first = roundedUp(positivePart(beam_b - kCornerTolerance));
+    const double last = static_cast<int>(std::min(end, v.last_beam));
+    seen.first[i] = first;
+    seen.last[i] = last;
+    seen.kind[i] *= is_plain * isTrue(first <= last) * SeenWalls::kPlain + (1.0 - is_plain) * SeenWalls::kUnclear;
   }
 }
 
@@ -129,7 +129,7 @@ F1TENTH_VECTORIZED
 double leastOf(const double * values, std::size_t count)
 {
   // The compiler would not reorder a minimum of many values, but vectorizes it when written with its vector types.
-  constexpr std::size_t kLanes = 8;
+  constexpr std::size_t kLanes = 4;  // it takes wider ones apart where the unit has none
   using Lanes = double __attribute__((vector_size(kLanes * sizeof(double))));
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Lanes least = kInfinity - Lanes{};

@@ -27,31 +27,6 @@ struct BeamView
   double last_beam;
 };
 
-/// Walls that are drawn together, as arrays that a vector unit can stream.
-struct WallBatch
-{
-  static constexpr std::size_t kSize = 64;
-  using Values = std::array<double, kSize>;
-
-  // Ends, m, relative to the sensor, in the directions of the world.
-  Values a_x;
-  Values a_y;
-  Values b_x;
-  Values b_y;
-  Values cross;  ///< m^2, a x (b - a)
-  // Computed from them by projectWalls().
-  Values beam_a;  ///< direction of a in beams, within [0, beams_per_turn), to within kRoughAngleError
-  Values beam_b;
-  Values along_cosine;  ///< 1/m: the inverse range is along_cosine cos + along_sine sin
-  Values along_sine;
-  // Of a plain wall (is_plain 1, else 0): the beams that it covers, none if first > last. A wall is not plain if one of
-  // its ends is so close to a beam that its rough direction does not tell on which side, or if it leaves the field of
-  // view and comes back.
-  Values first;
-  Values last;
-  Values is_plain;
-};
-
 /// Ends of walls, m, in the world.
 struct WallEnds
 {
@@ -61,11 +36,30 @@ struct WallEnds
   const double * b_y;
 };
 
-/// For each wall a x (b - a), m^2, with its ends relative to a point: negative if the wall turns its right side to the
-/// point and its line passes within the range, m; else 0.
-void crossOfFacing(const Vec2 & point, double range, const WallEnds & walls, std::size_t count, double * cross_or_zero);
+/// Walls as a lidar sees them, as arrays that a vector unit can stream.
+struct SeenWalls
+{
+  static constexpr std::size_t kMost = 64;
+  using Values = std::array<double, kMost>;
+  /// kHidden: no beam meets it. kPlain: the beams from `first` to `last` do. kUnclear: one of its ends is so close to a
+  /// beam that its rough direction does not tell on which side, or it leaves the field of view and comes back.
+  static constexpr double kHidden = 0.0;
+  static constexpr double kPlain = 1.0;
+  static constexpr double kUnclear = 2.0;
 
-void projectWalls(const BeamView & view, WallBatch & batch, std::size_t count);
+  Values beam_a;  ///< direction of a in beams, within [0, beams_per_turn), to within kRoughAngleError
+  Values beam_b;
+  Values along_cosine;  ///< 1/m: the inverse range is along_cosine cos + along_sine sin
+  Values along_sine;
+  Values first;
+  Values last;
+  Values kind;
+};
+
+/// How walls are seen that turn their right sides to the sensor and whose lines pass within the range; others are
+/// hidden.
+/// @param count  at most SeenWalls::kMost
+void projectWalls(const BeamView & view, const WallEnds & walls, std::size_t count, SeenWalls & seen);
 
 /// inverse[i] = max(inverse[i], along_cosine cosine[i] + along_sine sine[i])
 void drawWall(

@@ -33,14 +33,30 @@ void MovingSection::draw(const Transform2 & body, RangeRaster & raster) const
   if (!raster.couldShow({body.x, body.y}, radius_)) {
     return;
   }
+  SeenWalls::Values a_x;
+  SeenWalls::Values a_y;
+  SeenWalls::Values b_x;
+  SeenWalls::Values b_y;
+  std::size_t count = 0;
+  const auto drawThem = [&] {
+    raster.addWalls({a_x.data(), a_y.data(), b_x.data(), b_y.data()}, count, [](std::size_t) { return true; });
+    count = 0;
+  };
   for (const Outline & outline : section_.outlines) {
     Vec2 previous = body.apply(outline.back());
     for (const Vec2 & corner : outline) {
       const Vec2 next = body.apply(corner);
-      raster.addSegment(previous, next);
+      a_x[count] = previous.x;
+      a_y[count] = previous.y;
+      b_x[count] = next.x;
+      b_y[count] = next.y;
       previous = next;
+      if (++count == SeenWalls::kMost) {
+        drawThem();
+      }
     }
   }
+  drawThem();
   for (const Circle & circle : section_.circles) {
     raster.addCircle(body.apply(circle.centre), circle.radius);
   }

@@ -32,11 +32,8 @@ void RangeRaster::begin(const Pose2 & sensor, double range_max)
 {
   view_.sensor = Transform2(sensor);
   view_.range_max = range_max;
-  range_squared_ = range_max * range_max;
-  waiting_ = 0;
   std::fill(inverse_ranges_.begin(), inverse_ranges_.end(), 0.0);
-  farthest_ = inverse_ranges_.size() / 2;
-  least_ = 0.0;
+  unseeing_ = 0;
 }
 
 // Whether visit(first, last) is true for beams within [begin, begin + width]; asked more than once if the interval
@@ -67,30 +64,20 @@ double RangeRaster::beamOf(double angle) const
   return beam < 0.0 ? beam + view_.beams_per_turn : beam;
 }
 
-void RangeRaster::drawWaiting()
+void RangeRaster::drawSeen(const WallEnds & walls, std::size_t wall)
 {
-  projectWalls(view_, batch_, waiting_);
-  for (std::size_t i = 0; i < waiting_; ++i) {
-    if (batch_.is_plain[i] == 0.0) {
-      drawExactly(i);
-    } else if (batch_.first[i] <= batch_.last[i]) {
-      draw(i, static_cast<int>(batch_.first[i]), static_cast<int>(batch_.last[i]));
-    }
+  if (seen_.kind[wall] == SeenWalls::kPlain) {
+    draw(wall, static_cast<int>(seen_.first[wall]), static_cast<int>(seen_.last[wall]));
+  } else {
+    drawExactly(walls, wall);
   }
-  waiting_ = 0;
-}
-
-const double * RangeRaster::inverseRanges()
-{
-  drawWaiting();
-  return inverse_ranges_.data();
 }
 
 // All that matters is between which beams a point lies: rough directions will do unless they are next to a beam.
-void RangeRaster::drawExactly(std::size_t wall)
+void RangeRaster::drawExactly(const WallEnds & walls, std::size_t wall)
 {
-  const Vec2 a = view_.sensor.rotateBack({batch_.a_x[wall], batch_.a_y[wall]});
-  const Vec2 b = view_.sensor.rotateBack({batch_.b_x[wall], batch_.b_y[wall]});
+  const Vec2 a = view_.sensor.applyBack({walls.a_x[wall], walls.a_y[wall]});
+  const Vec2 b = view_.sensor.applyBack({walls.b_x[wall], walls.b_y[wall]});
   const double beam_a = beamOf(maths::atan2(a.y, a.x));
   const double beam_b = beamOf(maths::atan2(b.y, b.x));
   const double width = beam_a < beam_b ? beam_a - beam_b + view_.beams_per_turn : beam_a - beam_b;
@@ -105,8 +92,8 @@ void RangeRaster::drawExactly(std::size_t wall)
 
 void RangeRaster::draw(std::size_t wall, int first, int last)
 {
-  const double along_cosine = batch_.along_cosine[wall];
-  const double along_sine = batch_.along_sine[wall];
+  const double along_cosine = seen_.along_cosine[wall];
+  const double along_sine = seen_.along_sine[wall];
   const double * const cosine = cosine_.data();
   const double * const sine = sine_.data();
   double * const inverse = inverse_ranges_.data();
@@ -144,7 +131,7 @@ void RangeRaster::addCircle(const Vec2 & centre_world, double radius)
   });
 }
 
-bool RangeRaster::couldShow(const Vec2 & centre_world, double radius)
+bool RangeRaster::couldShow(const Vec2 & centre_world, double radius) const
 {
   const Vec2 centre = view_.sensor.applyBack(centre_world);
   const double squared = centre.x * centre.x + centre.y * centre.y;
@@ -171,12 +158,13 @@ bool RangeRaster::couldShow(const Vec2 & centre_world, double radius)
 
 double RangeRaster::sight()
 {
-  const double * const inverse = inverseRanges();
-  // Ranges only shrink while a scan is drawn: the farthest beam stays that until something is drawn in front of it.
-  if (inverse[farthest_] != least_) {
-    least_ = leastOf(inverse, inverse_ranges_.size());
-    farthest_ = static_cast<std::size_t>(std::find(inverse, inverse + inverse_ranges_.size(), least_) - inverse);
+  // Ranges only shrink while a scan is drawn: what has seen something stays so.
+  while (unseeing_ < inverse_ranges_.size() && inverse_ranges_[unseeing_] != 0.0) {
+    ++unseeing_;
   }
-  return std::min(view_.range_max, (1.0 + kSlack) / least_);
+  if (unseeing_ < inverse_ranges_.size()) {
+    return view_.range_max;
+  }
+  return std::min(view_.range_max, (1.0 + kSlack) / leastOf(inverse_ranges_.data(), inverse_ranges_.size()));
 }
 }  // namespace f1tenth_sim2d

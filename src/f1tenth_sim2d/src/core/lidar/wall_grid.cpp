@@ -2,8 +2,8 @@
 
 #include <workspace_support/maths/trigonometry.h>
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <numeric>
 
 namespace f1tenth_sim2d
 {
@@ -17,7 +17,7 @@ constexpr double kCellSizeMax = 5.0;   // m
 constexpr double kCellCountMax = 1e6;  // in very large worlds the cells grow instead
 constexpr double kRounding = 1e-9;     // m
 constexpr double kBorder = 1e-6;       // of a cell: a wall nearer than that to its border lies in the next one, too
-constexpr std::uint32_t kBlock = 64;   // items that are checked together
+constexpr std::uint32_t kLanes = 4;    // walls of a vector: rather some of the next group than a rest
 constexpr std::uint32_t kFew = 16;     // items: drawing so few is faster than finding out whether they show
 
 template <typename Wall>
@@ -62,6 +62,9 @@ void WallGrid::collect(const Section & walls)
     }
   }
   circles_ = walls.circles;
+  const auto place = [](const Wall & wall) { return wall.a.x == wall.b.x ? wall.a.x : wall.a.y; };
+  std::stable_sort(
+    walls_.begin(), walls_.end(), [&](const Wall & one, const Wall & other) { return place(one) < place(other); });
 }
 
 void WallGrid::layOut()
@@ -87,17 +90,19 @@ void WallGrid::layOut()
   row_count_ = static_cast<int>(height / cell_size_) + 1;
 
   const std::size_t cell_count = static_cast<std::size_t>(column_count_) * row_count_;
-  begin_.assign(cell_count + 1, 0);
+  begin_.assign(cell_count * kGroups + 1, 0);
   for (std::size_t item = 0; item < bounds.size(); ++item) {
-    forEachCell(item, bounds[item], [&](std::size_t cell) { ++begin_[cell + 1]; });
+    const Group group = groupOf(item);
+    forEachCell(item, bounds[item], [&](std::size_t cell) { ++begin_[cell * kGroups + group + 1]; });
   }
-  for (std::size_t cell = 0; cell < cell_count; ++cell) {
-    begin_[cell + 1] += begin_[cell];
-  }
+  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
   items_.resize(begin_.back());
   std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
   for (std::size_t item = 0; item < bounds.size(); ++item) {
-    forEachCell(item, bounds[item], [&](std::size_t cell) { items_[next[cell]++] = static_cast<std::uint32_t>(item); });
+    const Group group = groupOf(item);
+    forEachCell(item, bounds[item], [&](std::size_t cell) {
+      items_[next[cell * kGroups + group]++] = static_cast<std::uint32_t>(item);
+    });
   }
   for (const std::uint32_t item : items_) {
     const Wall wall = item < walls_.size() ? walls_[item] : Wall{};
@@ -106,20 +111,38 @@ void WallGrid::layOut()
     b_x_.push_back(wall.b.x);
     b_y_.push_back(wall.b.y);
   }
+  for (std::vector<double> * ends : {&a_x_, &a_y_, &b_x_, &b_y_}) {
+    ends->resize(items_.size() + kLanes);
+  }
   measureCells(bounds);
+}
+
+WallGrid::Group WallGrid::groupOf(std::size_t item) const
+{
+  if (item >= walls_.size()) {
+    return kCircles;
+  }
+  const Vec2 edge = walls_[item].b - walls_[item].a;
+  if ((edge.x == 0.0) == (edge.y == 0.0)) {
+    return kSlanting;
+  }
+  if (edge.x == 0.0) {
+    return edge.y > 0.0 ? kFromRight : kFromLeft;
+  }
+  return edge.x > 0.0 ? kFromBelow : kFromAbove;
 }
 
 // What lies in a cell, as a circle: the bounds of its items, cut off at the cell.
 void WallGrid::measureCells(const std::vector<Bounds> & bounds)
 {
-  extents_.resize(begin_.size() - 1);
+  extents_.resize(begin_.size() / kGroups);
   for (std::size_t cell = 0; cell < extents_.size(); ++cell) {
     const std::size_t column = cell % column_count_;
     const std::size_t row = cell / column_count_;
     const double x = origin_.x + static_cast<double>(column) * cell_size_;
     const double y = origin_.y + static_cast<double>(row) * cell_size_;
     Bounds all;
-    for (std::uint32_t i = begin_[cell]; i < begin_[cell + 1]; ++i) {
+    for (std::uint32_t i = begin_[cell * kGroups]; i < begin_[(cell + 1) * kGroups]; ++i) {
       all.include(bounds[items_[i]].low);
       all.include(bounds[items_[i]].high);
     }
@@ -225,37 +248,44 @@ bool WallGrid::isOutOfSight(const Circle & extent, const Drawing & drawing)
 
 void WallGrid::drawCell(std::size_t cell, const Drawing & drawing) const
 {
-  const std::uint32_t end = begin_[cell + 1];
-  const std::uint32_t count = end - begin_[cell];
+  const std::uint32_t * const begin = &begin_[cell * kGroups];
+  const std::uint32_t count = begin[kGroups] - begin[0];
   if (count == 0 || isOutOfSight(extents_[cell], drawing)) {
     return;
   }
-  if (count > kFew && !drawing.raster.couldShow(extents_[cell].centre, extents_[cell].radius)) {
+  RangeRaster & raster = drawing.raster;
+  if (count > kFew && !raster.couldShow(extents_[cell].centre, extents_[cell].radius)) {
     return;
   }
-  for (std::uint32_t i = begin_[cell]; i < end; i += kBlock) {
-    drawItems(i, std::min(kBlock, end - i), drawing);
+  drawBeyond(a_x_, raster.sensor().x, begin + kFromLeft, drawing);
+  drawBeyond(a_y_, raster.sensor().y, begin + kFromBelow, drawing);
+  drawWalls(begin[kSlanting], begin[kCircles], drawing);
+  for (std::uint32_t i = begin[kCircles]; i < begin[kGroups]; ++i) {
+    if (drawing.drawn.isFirstTime(items_[i])) {
+      const Circle & circle = circles_[items_[i] - walls_.size()];
+      raster.addCircle(circle.centre, circle.radius);
+    }
   }
 }
 
-// At most kBlock items of one cell.
-void WallGrid::drawItems(std::uint32_t begin, std::uint32_t count, const Drawing & drawing) const
+// Of two groups of walls, seen from low places and from high ones, those that are seen from the sensor's.
+void WallGrid::drawBeyond(
+  const std::vector<double> & places, double sensor, const std::uint32_t * begin, const Drawing & drawing) const
 {
-  RangeRaster & raster = drawing.raster;
-  const Vec2 here{raster.sensor().x, raster.sensor().y};
-  std::array<double, kBlock> cross;
-  crossOfFacing(here, raster.rangeMax(), {&a_x_[begin], &a_y_[begin], &b_x_[begin], &b_y_[begin]}, count, cross.data());
-  for (std::uint32_t k = 0; k < count; ++k) {
-    const std::uint32_t i = begin + k;
-    if (cross[k] < 0.0 && drawing.drawn.isFirstTime(items_[i])) {
-      raster.addFacing({a_x_[i], a_y_[i]}, {b_x_[i], b_y_[i]}, cross[k]);
-    }
-  }
-  for (std::uint32_t i = begin + count; i > begin && items_[i - 1] >= walls_.size(); --i) {
-    if (drawing.drawn.isFirstTime(items_[i - 1])) {
-      const Circle & circle = circles_[items_[i - 1] - walls_.size()];
-      raster.addCircle(circle.centre, circle.radius);
-    }
+  const double * const all = places.data();
+  const double * const first = std::upper_bound(all + begin[0], all + begin[1], sensor);
+  const double * const end = std::lower_bound(all + begin[1], all + begin[2], sensor);
+  drawWalls(static_cast<std::uint32_t>(first - all), static_cast<std::uint32_t>(end - all), drawing);
+}
+
+void WallGrid::drawWalls(std::uint32_t begin, std::uint32_t end, const Drawing & drawing) const
+{
+  constexpr auto kMost = static_cast<std::uint32_t>(SeenWalls::kMost);
+  for (std::uint32_t i = begin; i < end; i += kMost) {
+    const std::uint32_t whole = (end - i + kLanes - 1) / kLanes * kLanes;
+    drawing.raster.addWalls({&a_x_[i], &a_y_[i], &b_x_[i], &b_y_[i]}, std::min(kMost, whole), [&](std::size_t wall) {
+      return drawing.drawn.isFirstTime(items_[i + wall]);
+    });
   }
 }
 }  // namespace f1tenth_sim2d

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -58,6 +59,18 @@ public:
   void draw(RangeRaster & raster, DrawnItems & drawn) const;
 
 private:
+  /// Items of a cell come in groups: walls along the axes by the side from which they are seen, in the order of their
+  /// places across, so that those that turn their backs to a sensor are not looked at.
+  enum Group : std::size_t
+  {
+    kFromLeft,  ///< towards -x
+    kFromRight,
+    kFromBelow,  ///< towards -y
+    kFromAbove,
+    kSlanting,
+    kCircles,
+    kGroups
+  };
   /// A scan in the making.
   struct Drawing
   {
@@ -84,10 +97,13 @@ private:
   void forEachCell(std::size_t item, const Bounds & bounds, Visit visit) const;
   CellRange cells(double low, double high, double origin, int count) const;
   void measureCells(const std::vector<Bounds> & bounds);
+  Group groupOf(std::size_t item) const;
   void drawRing(int column, int row, int ring, const Drawing & drawing) const;
   static bool isOutOfSight(const Circle & extent, const Drawing & drawing);
   void drawCell(std::size_t cell, const Drawing & drawing) const;
-  void drawItems(std::uint32_t begin, std::uint32_t count, const Drawing & drawing) const;
+  void drawBeyond(
+    const std::vector<double> & places, double sensor, const std::uint32_t * begin, const Drawing & drawing) const;
+  void drawWalls(std::uint32_t begin, std::uint32_t end, const Drawing & drawing) const;
 
   std::vector<Wall> walls_;
   std::vector<Circle> circles_;
@@ -95,11 +111,11 @@ private:
   double cell_size_{1.0};
   int column_count_{0};
   int row_count_{0};
-  // Compressed rows: what lies in cell c is items_[begin_[c]] ... items_[begin_[c + 1] - 1].
+  // Compressed rows: what lies in cell c in group g is items_[begin_[i]] ... items_[begin_[i + 1] - 1], i = c kGroups + g.
   // Item i is wall i, or circle i - walls_.size().
   std::vector<std::uint32_t> begin_;
   std::vector<std::uint32_t> items_;
-  // Ends of each of items_ that is a wall, to be streamed; 0 for a circle. In a cell walls come first.
+  // Ends of each of items_ that is a wall, to be streamed; 0 for a circle, and for some behind the last.
   std::vector<double> a_x_;
   std::vector<double> a_y_;
   std::vector<double> b_x_;

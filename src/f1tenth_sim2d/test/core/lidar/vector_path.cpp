@@ -35,24 +35,19 @@ private:
 
 void addWalls(Results & results)
 {
-  static WallBatch batch;
-  for (std::size_t i = 0; i < WallBatch::kSize; ++i) {
-    batch.a_x[i] = 10.0 * number(5 * i);
-    batch.a_y[i] = 10.0 * number(5 * i + 1);
-    batch.b_x[i] = 10.0 * number(5 * i + 2);
-    batch.b_y[i] = 10.0 * number(5 * i + 3);
-    batch.cross[i] = number(5 * i + 4);
+  constexpr std::size_t kWalls = SeenWalls::kMost;
+  static double ends[4][kWalls];
+  for (std::size_t i = 0; i < kWalls; ++i) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      ends[k][i] = 10.0 * number(4 * i + k);
+    }
   }
-  static double cross[WallBatch::kSize];
-  const WallEnds ends{batch.a_x.data(), batch.a_y.data(), batch.b_x.data(), batch.b_y.data()};
-  crossOfFacing({0.3, -0.2}, 4.0, ends, WallBatch::kSize, cross);
-  results.add(cross, WallBatch::kSize);
-  const BeamView view{Transform2({0.3, -0.2, 0.7}), 10.0, -2.35, 229.0, 1439.0, 1080.0};
-  projectWalls(view, batch, WallBatch::kSize);
+  const BeamView view{Transform2({0.3, -0.2, 0.7}), 4.0, -2.35, 229.0, 1439.0, 1080.0};
+  static SeenWalls seen;
+  projectWalls(view, {ends[0], ends[1], ends[2], ends[3]}, kWalls, seen);
   for (const auto * values :
-       {&batch.beam_a, &batch.beam_b, &batch.along_cosine, &batch.along_sine, &batch.first, &batch.last,
-        &batch.is_plain}) {
-    results.add(values->data(), WallBatch::kSize);
+       {&seen.beam_a, &seen.beam_b, &seen.along_cosine, &seen.along_sine, &seen.first, &seen.last, &seen.kind}) {
+    results.add(values->data(), kWalls);
   }
 }
 

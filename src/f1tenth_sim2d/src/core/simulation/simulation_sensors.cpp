@@ -36,13 +36,13 @@ void Simulation::Impl::scan(CarId id, std::size_t index, bool noisy, float * ran
   const LidarScene & scene = sceneAt(lidar.pose.position.z());
   const ScanSpaces::Loan space = scene.spaceFor(beamsOf(lidar));
   scene.draw(id, chain(own.car.pose(), planar(lidar.pose)), lidar.range_max, *this, *space);
-  if (noisy) {
+  const double mean = noisy ? lidar.noise_mean : 0.0;
+  const double stddev = noisy ? lidar.noise_stddev : 0.0;
+  if (stddev != 0.0) {
     const auto now = static_cast<std::uint64_t>(time);
     const std::uint64_t key = noiseKey(options.seed, own.noise_stream, NoiseStream::kLidar, index, now);
     gaussians(key, space->normal.size(), space->normal.data());
   }
-  const double mean = noisy ? lidar.noise_mean : 0.0;
-  const double stddev = noisy ? lidar.noise_stddev : 0.0;
   reportRanges(
     space->raster.inverseRanges(), space->normal.data(), space->normal.size(), mean, stddev,
     {lidar.range_min, lidar.range_max}, ranges);

@@ -1,6 +1,6 @@
 """What a step of an environment is made of: instructions by part, counted by callgrind.
 
-python3 -m f1tenth_bench.profile [--place PLACE] [--beams N ...] [--cars N ...]
+python3 -m f1tenth_bench.profile [--place PLACE] [--beams N ...] [--cars N ...] [--range M]
 """
 
 import argparse
@@ -32,10 +32,10 @@ PARTS = {
 """Names of functions, each with all that it calls."""
 
 
-def drive(place, beams, cars):
+def drive(place, beams, cars, range_max):
     """Drive along the road at 4 m/s."""
     register()
-    settings = {"period": 0.01, "beams": beams, "range_max": 30.0, "field_of_view": 4.7, "cars": cars}
+    settings = {"period": 0.01, "beams": beams, "range_max": range_max, "field_of_view": 4.7, "cars": cars}
     environments = gymnasium.make_vec(
         ENVIRONMENT,
         ENVIRONMENTS,
@@ -54,13 +54,13 @@ def drive(place, beams, cars):
         *_, info = environments.step(actions.reshape(environments.action_space.shape))
 
 
-def counted(place, beams, cars):
+def counted(place, *work):
     """Thousands of instructions of a step of one environment, by part."""
     with tempfile.TemporaryDirectory() as folder:
         output = Path(folder) / "callgrind"
         valgrind = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={output}"]
         valgrind += ["--toggle-collect=f1tenth_sim2d::Environments::step*"]
-        driver = [sys.executable, "-m", "f1tenth_bench.profile", "--drive", str(place), str(beams), str(cars)]
+        driver = [sys.executable, "-m", "f1tenth_bench.profile", "--drive", str(place), *map(str, work)]
         subprocess.run(valgrind + driver, check=True, stderr=subprocess.DEVNULL)
         annotate = ["callgrind_annotate", "--inclusive=yes", "--threshold=100", "--auto=no", str(output)]
         lines = subprocess.run(annotate, check=True, capture_output=True, text=True).stdout.splitlines()
@@ -79,17 +79,18 @@ def main():
     parser.add_argument("--place", default=None, help="default: Spielberg")
     parser.add_argument("--beams", type=int, nargs="+", default=[64, 108, 1080])
     parser.add_argument("--cars", type=int, nargs="+", default=[1, 2, 8])
-    parser.add_argument("--drive", nargs=3, help=argparse.SUPPRESS)
+    parser.add_argument("--range", type=float, default=30.0, help="of the lidar, m")
+    parser.add_argument("--drive", nargs=4, help=argparse.SUPPRESS)
     arguments = parser.parse_args()
     if arguments.drive:
-        place, beams, cars = arguments.drive
-        drive(place, int(beams), int(cars))
+        place, beams, cars, range_max = arguments.drive
+        drive(place, int(beams), int(cars), float(range_max))
         return
     place = arguments.place or data_file("tracks/Spielberg/Spielberg_map.yaml")
     print("| beams, cars | " + " | ".join(PARTS) + " |\n" + "| --- " * (len(PARTS) + 1) + "|")
     for beams in arguments.beams:
         for cars in arguments.cars:
-            numbers = counted(place, beams, cars).values()
+            numbers = counted(place, beams, cars, arguments.range).values()
             cells = [f"{beams}, {cars}", *(f"{number:.1f}" for number in numbers)]
             print("| " + " | ".join(cells) + " |", flush=True)
 

@@ -93,3 +93,10 @@ def test_spread_says_from_where_to_where(lockstep, why):
         ("lap time", "7.500 to 9.000 s"),
         ("minimum clearance", "0.075 to 0.090 m"),
     ]
+
+
+def test_bags_of_all_runs_are_kept_if_that_is_wanted(tmp_path, monkeypatch):
+    jobs = []
+    monkeypatch.setattr("f1tenth_judge.batch.repeat.run_jobs", lambda wanted, *_: jobs.extend(wanted) or [])
+    repeat("circuit1", 2, tmp_path, [], StopRequest(), bag=True)
+    assert [job.options for job in jobs] == [("--bag",)] * 2

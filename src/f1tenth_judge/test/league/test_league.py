@@ -35,7 +35,7 @@ def test_every_planner_races_at_every_place_once_and_is_ranked_on_a_page(file, p
     races = sorted(program.runs())
     assert races == ["one-circuit1-1", "one-circuit3-1", "two-circuit1-1", "two-circuit3-1"]
     out = capsys.readouterr().out
-    assert "  1  one                     2 of 2 finished, pace 1.000, 0 won\n" in out
+    assert "  1  one                     2 of 2 finished, pace 1.000\n" in out
     page = (file.parent / "league" / "cup" / "index.html").read_text()
     assert '<a href="report.html#two-circuit3-1">two</a>' in page
     assert "<td>10.000 s</td>" in page

@@ -69,6 +69,7 @@ def _write(name: str, wanted, cases, sweep, left_out, folder: Path) -> str:
         )
     for rank, each in enumerate(ranking, 1):
         pace = "no lap" if each.pace is None else f"pace {each.pace:.3f}"
-        print(f"{rank:3}  {each.name:24}{each.finished} of {each.raced} finished, {pace}, {each.won} won")
+        won = f", {each.won} won" if wanted.pairs else ""
+        print(f"{rank:3}  {each.name:24}{each.finished} of {each.raced} finished, {pace}{won}")
     print(f"{'page:':19}{file}")
     return PAGE_FILE

@@ -2,6 +2,7 @@
 #include "arrays.h"
 
 #include <workspace_support/errors.h>
+#include <workspace_support/numpy_version.h>
 
 #include "driver.h"
 #include "line/race_line_planner.h"
@@ -70,6 +71,7 @@ void bindPlanner(py::module_ & module)
 
 PYBIND11_MODULE(f1tenth_racer_core, module)
 {
+  workspace_support::requireKnownNumpy();
   module.doc() = "The racing planner of f1tenth_racer. Lengths in m, angles in rad, times in s.";
   const auto & error = py::register_local_exception<Error>(module, "Error", PyExc_ValueError);
   py::register_local_exception<OptionError>(module, "OptionError", error);

@@ -1,3 +1,5 @@
+#include <workspace_support/numpy_version.h>
+
 #include "f1tenth_sim2d/errors.h"
 #include "python/bindings.h"
 
@@ -32,6 +34,7 @@ py::str shown(const py::object & object)
 
 PYBIND11_MODULE(_f1tenth_sim2d, module)
 {
+  workspace_support::requireKnownNumpy();
   module.doc() = "A fast and deterministic 2.5-D simulator of F1/10 cars. SI units; x forward, y left, yaw in rad.";
   f1tenth_sim2d::bindErrors(module);
   f1tenth_sim2d::bindVehicleParameters(module);

@@ -3,12 +3,14 @@
 
 #include "workspace_support/maths/exponential.h"
 #include "workspace_support/maths/trigonometry.h"
+#include "workspace_support/numpy_version.h"
 
 namespace py = pybind11;
 namespace maths = workspace_support::maths;
 
 PYBIND11_MODULE(_maths, module)
 {
+  workspace_support::requireKnownNumpy();
   module.def("sin", py::vectorize(maths::sin));
   module.def("cos", py::vectorize(maths::cos));
   module.def("tan", py::vectorize(maths::tan));

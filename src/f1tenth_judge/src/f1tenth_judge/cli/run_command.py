@@ -169,7 +169,7 @@ def run_each(names: Sequence[str], settings: Sequence[str], options) -> int:
 def _run_jobs(jobs: Sequence[Job], left_out: dict[str, str], options) -> int:
     outcomes: list[Outcome] = []
     what = "runs" if options.seeds else "scenarios"
-    bar = CountLine(what, len(jobs))
+    bar = CountLine(what, len(jobs), each_is_told=True)
     with StopRequest().listening() as stop:
         for outcome in run_jobs(jobs, stop, options.workers or 1):
             outcomes.append(outcome)

@@ -63,13 +63,15 @@ class ProgressLine(_Line):
 
 
 class CountLine(_Line):
-    """How many runs are done."""
+    """How many runs are done; where the output is no terminal, a line of text after each tenth of them."""
 
     _WIDTH = 30  # characters
+    _TENTHS = 10
 
-    def __init__(self, name: str, count: int, stream: Optional[TextIO] = None):
+    def __init__(self, name: str, count: int, stream: Optional[TextIO] = None, each_is_told: bool = False):
+        """With `each_is_told` each run has a line of its own already."""
         super().__init__(name, stream)
-        self._count = count
+        self._count, self._each_is_told = count, each_is_told
         self._done = self._passed = 0
 
     def update(self, passed: bool) -> None:
@@ -78,7 +80,11 @@ class CountLine(_Line):
         self._passed += passed
         filled = self._WIDTH * self._done // self._count
         bar = "█" * filled + "░" * (self._WIDTH - filled)
-        self._draw(f"{self._name}  {bar}  {self._done} of {self._count}, {self._passed} passed")
+        text = f"{self._done} of {self._count}, {self._passed} passed"
+        self._draw(f"{self._name}  {bar}  {text}")
+        is_tenth = self._TENTHS * self._done % self._count < self._TENTHS
+        if is_tenth and not self._each_is_told and not self._stream.isatty():
+            print(f"{self._name}  {text}", file=self._stream, flush=True)
 
 
 def summary(result: Result, plan: Plan) -> str:

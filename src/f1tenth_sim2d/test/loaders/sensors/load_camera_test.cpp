@@ -11,7 +11,7 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-CarDescription load(const std::string & xml)
+CarDescription loadCarWithCamera(const std::string & xml)
 {
   return loadCar(xml, "robot1", "test.urdf", {});
 }
@@ -21,29 +21,30 @@ TEST(LoadCamera, SaysWhichFrameItTakes)
   const std::vector<std::string> expected{
     "test.urdf:234: robot[small_car]/gazebo[base_link]/sensor[camera]/plugin[camera_plugin]: has no <frameName>: taken "
     "as 'world', as in gazebo_ros"};
-  EXPECT_EQ(load(smallCar()).warnings, expected);
+  EXPECT_EQ(loadCarWithCamera(smallCar()).warnings, expected);
 }
 
 TEST(LoadCamera, NamesTagsThatSayAnotherLens)
 {
   const std::string lens = "<camera><distortion><k1>-0.1</k1><center>0.4 0.5</center></distortion>";
-  const CarDescription car = load(smallCarWith("<camera>", lens));
+  const CarDescription car = loadCarWithCamera(smallCarWith("<camera>", lens));
   ASSERT_EQ(car.warnings.size(), 3u);
   EXPECT_NE(car.warnings[0].find("<center> 0.4 0.5 of the lens is left out"), std::string::npos);
   EXPECT_NE(car.warnings[1].find("camera_info tells another lens"), std::string::npos);
-  EXPECT_EQ(load(smallCarWith("<camera>", "<camera><distortion/>")).warnings.size(), 1u);
+  EXPECT_EQ(loadCarWithCamera(smallCarWith("<camera>", "<camera><distortion/>")).warnings.size(), 1u);
 }
 
 TEST(LoadCamera, NamesAnAbsurdLens)
 {
-  const CarDescription car = load(smallCarWith("<camera>", "<camera><distortion><k1>1e9</k1></distortion>"));
+  const CarDescription car =
+    loadCarWithCamera(smallCarWith("<camera>", "<camera><distortion><k1>1e9</k1></distortion>"));
   ASSERT_EQ(car.warnings.size(), 1u);
   EXPECT_NE(car.warnings[0].find("<k1> is 1e+09, allowed are -10000 to 10000"), std::string::npos);
 }
 
 TEST(LoadCamera, NamesWhatIsLeftOut)
 {
-  const CarDescription car = load(smallCarWith("<horizontal_fov>1.5", "<horizontal_fov>7"));
+  const CarDescription car = loadCarWithCamera(smallCarWith("<horizontal_fov>1.5", "<horizontal_fov>7"));
   ASSERT_EQ(car.warnings.size(), 1u);
   EXPECT_NE(car.warnings[0].find("a camera is left out"), std::string::npos);
   EXPECT_NE(car.warnings[0].find("<horizontal_fov> is 7, allowed are 0.01 to 3.1"), std::string::npos);
@@ -52,7 +53,8 @@ TEST(LoadCamera, NamesWhatIsLeftOut)
 TEST(LoadCamera, NamesNoiseThatHidesEverything)
 {
   const auto warningsOf = [](const std::string & stddev) {
-    return load(smallCarWith("<camera>", "<camera><noise><stddev>" + stddev + "</stddev></noise>")).warnings;
+    return loadCarWithCamera(smallCarWith("<camera>", "<camera><noise><stddev>" + stddev + "</stddev></noise>"))
+      .warnings;
   };
   EXPECT_EQ(warningsOf("1").size(), 1U);
   ASSERT_EQ(warningsOf("1e9").size(), 2U);

@@ -105,7 +105,7 @@ def test_record_with_a_value_that_is_not_finite_is_left_out_and_named(results, c
     columns[2] = "nan"
     record.write_text(header + ",".join(columns) + "".join(others), encoding="utf-8")
     assert cli.main(["report", "--results", str(results)]) == 1
-    assert f"f1tenth: {record}: x of robot1 at 0.025" in capsys.readouterr().err
+    assert f"f1tenth: {record}:2: x of robot1 at 0.025" in capsys.readouterr().err
     one, two = overview(results / "report.html")
     assert (one["problems"], two["verdict"], two["thumbnail"]) == ([], "collision", [])
 

@@ -2,6 +2,7 @@
 
 import tempfile
 import time
+from pathlib import Path
 
 import numpy as np
 import psutil
@@ -11,11 +12,13 @@ import f1tenth_sim2d
 from f1tenth_bench.benchmark import Measured, benchmark
 from f1tenth_bench.judged import judged
 from f1tenth_bench.places import circuit_file
+from f1tenth_bench.simulator import seeing_driver
 from f1tenth_bench.simulator.cars import f1tenth_car
 from f1tenth_bench.timing import processor_seconds
 
 PLACES = 20
 REPEATS = 3
+LAPS = 3
 
 
 @benchmark("stereo_ms", "ms", at_most=15)
@@ -48,9 +51,10 @@ def stereo_ms():
 
 @benchmark("stereo_rtf", "sim s / s", at_least=2)
 def stereo_rtf():
-    """Of the scenario visual_odometry: simulator, planner, and a node that looks at both eyes at 30 Hz."""
+    """Of laps of circuit_detailed by a planner that looks at both eyes at 30 Hz, one after the other."""
+    planner = f"{Path(seeing_driver.__file__)}:SeeingDriver"
     with tempfile.TemporaryDirectory() as folder:
-        result = judged(folder, "visual_odometry", "run", "visual_odometry")
+        result = judged(folder, "race", "race", "circuit_detailed", "--planner", planner, "--laps", str(LAPS))
     return Measured(
         result["real_time_factor"],
         {"sim_s": result["times"]["finish"]},

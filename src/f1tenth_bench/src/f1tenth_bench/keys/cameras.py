@@ -2,7 +2,6 @@
 
 import tempfile
 import time
-from pathlib import Path
 
 import numpy as np
 import psutil
@@ -12,6 +11,7 @@ import f1tenth_sim2d
 from f1tenth_bench.benchmark import Measured, benchmark
 from f1tenth_bench.judged import judged
 from f1tenth_bench.places import circuit_file
+from f1tenth_bench.ros.ros_run import resident_megabytes
 from f1tenth_bench.simulator import seeing_driver
 from f1tenth_bench.simulator.cars import f1tenth_car
 from f1tenth_bench.timing import processor_seconds
@@ -39,12 +39,13 @@ def stereo_ms():
             for eye in ("left", "right"):
                 simulation.look(car, "stereo_camera", eye)
 
-    began, before = time.perf_counter(), _resident_megabytes()
+    process = psutil.Process()
+    began, before = time.perf_counter(), resident_megabytes(process)
     simulation.look(car, "stereo_camera", "left")
     details = {
         "places": PLACES,
         "first_look_s": time.perf_counter() - began,
-        "scene_mb": _resident_megabytes() - before,
+        "scene_mb": resident_megabytes(process) - before,
     }
     return Measured(processor_seconds(look_everywhere, REPEATS) / PLACES * 1e3, details)
 
@@ -52,7 +53,7 @@ def stereo_ms():
 @benchmark("stereo_rtf", "sim s / s", at_least=2)
 def stereo_rtf():
     """Of laps of circuit_detailed by a planner that looks at both eyes at 30 Hz, one after the other."""
-    planner = f"{Path(seeing_driver.__file__)}:SeeingDriver"
+    planner = f"{seeing_driver.__file__}:SeeingDriver"
     with tempfile.TemporaryDirectory() as folder:
         result = judged(folder, "race", "race", "circuit_detailed", "--planner", planner, "--laps", str(LAPS))
     return Measured(
@@ -60,7 +61,3 @@ def stereo_rtf():
         {"sim_s": result["times"]["finish"]},
         problem="" if result["passed"] else result["reason"],
     )
-
-
-def _resident_megabytes():
-    return psutil.Process().memory_info().rss / 2**20

@@ -19,12 +19,6 @@ END, PLOT = 10.0, (44, 10)  # s; px beside the plot
 
 
 @pytest.fixture(scope="module")
-def window():
-    with chromium() as made:
-        yield made
-
-
-@pytest.fixture(scope="module")
 def address(tmp_path_factory):
     folder = tmp_path_factory.mktemp("charts")
     write_run(folder / "results" / "run", result("run"), end=END)

@@ -3,7 +3,7 @@
 import math
 
 import pytest
-from browser import PATIENCE, chromium
+from browser import PATIENCE
 from f1tenth_judge.report.bundle import bundle
 from f1tenth_judge.report.page import WEB, write_report
 from report_samples import driven_by, result, write_run
@@ -24,12 +24,6 @@ def report(tmp_path_factory):
         write_run(folder / "results" / name, result(name, cars=cars), speed=speed, end=20.0)
     write_report(folder / "results", folder / "report.html")
     return (folder / "report.html").as_uri()
-
-
-@pytest.fixture(scope="module")
-def window():
-    with chromium() as made:
-        yield made
 
 
 @pytest.fixture

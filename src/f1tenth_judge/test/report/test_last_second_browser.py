@@ -3,7 +3,7 @@
 import math
 
 import pytest
-from browser import PATIENCE, chromium
+from browser import PATIENCE
 from f1tenth_judge.report.bundle import bundle
 from f1tenth_judge.report.page import WEB, write_report
 from report_samples import RADIUS, contact, result, write_run
@@ -13,12 +13,6 @@ pytest.importorskip("selenium", reason="python3-selenium is not installed")
 from selenium.webdriver.support.ui import WebDriverWait  # noqa: E402
 
 END = 10.0  # s
-
-
-@pytest.fixture(scope="module")
-def window():
-    with chromium() as made:
-        yield made
 
 
 @pytest.fixture(scope="module")

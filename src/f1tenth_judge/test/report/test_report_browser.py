@@ -38,12 +38,6 @@ def hit(name):
     return result(name, passed=False, minimum_clearance=0.3, contacts=[touch], interventions=[cheat])
 
 
-@pytest.fixture(scope="module")
-def window():
-    with chromium() as made:
-        yield made
-
-
 @pytest.fixture(autouse=True)
 def _no_complaints(window):
     yield
